@@ -240,25 +240,41 @@ nlohmann::json importSettings(const SceneArguments& arguments, nlohmann::json st
     return stored;
 }
 
-}  // namespace
-
-namespace {
-
 void warnOfAll(std::string_view subsystem, const std::vector<std::string>& warnings) {
     for (const std::string& one : foldRepeats(warnings)) log::warn(subsystem, one);
+}
+
+/// The planning parameters that differ, by name, with their values in `other`.
+std::vector<std::pair<std::string, std::string>> changedValues(const planning::PlanParams& one,
+                                                               const planning::PlanParams& other) {
+    planning::PlanParams a = planning::onlyOfThePlan(one);
+    planning::PlanParams b = planning::onlyOfThePlan(other);
+    const FieldList fields_a = planning::listFields(a);
+    const FieldList fields_b = planning::listFields(b);
+    std::vector<std::pair<std::string, std::string>> changed;
+    for (std::size_t i = 0; i < fields_a.size(); ++i) {
+        std::string value = fields_b[i].valueText();
+        if (fields_a[i].valueText() == value) continue;
+        changed.emplace_back(fields_b[i].name, std::move(value));
+    }
+    return changed;
+}
+
+/// How to plan with changed parameters at once, as the end of a message.
+std::string cureOf(const planning::PlanParams& planned, const planning::PlanParams& changed) {
+    std::string options;
+    for (const auto& [name, value] : changedValues(planned, changed)) {
+        options += fmt::format("--set {}={} ", name, value);
+    }
+    return fmt::format("; to plan only once, give {}to 'dollytrack plan'", options);
 }
 
 }  // namespace
 
 std::string changedNames(const planning::PlanParams& one, const planning::PlanParams& other) {
-    planning::PlanParams a = planning::onlyOfThePlan(one);
-    planning::PlanParams b = planning::onlyOfThePlan(other);
-    const FieldList fields_a = planning::listFields(a);
-    const FieldList fields_b = planning::listFields(b);
     std::string names;
-    for (std::size_t i = 0; i < fields_a.size(); ++i) {
-        if (fields_a[i].valueText() == fields_b[i].valueText()) continue;
-        names += (names.empty() ? "" : ", ") + fields_a[i].name;
+    for (const auto& [name, value] : changedValues(one, other)) {
+        names += (names.empty() ? "" : ", ") + name;
     }
     return names;
 }
@@ -476,10 +492,13 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
         const std::string changed = other_import  ? "the import settings"
                                     : other_edits ? "constraints of the trajectory"
                                                   : changedNames(stored, opened.params);
-        log::warn("project", other_scene ? "the scene file has changed since it was planned: "
-                                           "planning again, so the views will differ"
-                                         : "changed since it was planned: " + changed +
-                                               "; planning again, so the views will differ");
+        log::warn("project",
+                  other_scene
+                      ? "the scene file has changed since it was planned: planning again, so the "
+                        "views will differ"
+                      : "changed since it was planned: " + changed +
+                            "; planning again, so the views will differ" +
+                            (other_import || other_edits ? "" : cureOf(stored, opened.params)));
         opened.stored_result = nullptr;
     }
     return opened;

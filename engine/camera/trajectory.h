@@ -25,9 +25,14 @@ struct Trajectory {
     std::vector<TrajectoryFrame> frames;
 };
 
+/// Whether frame `i` belongs to the same path as the frame before; frames may be left out between.
+[[nodiscard]] inline bool continuesPath(const Trajectory& trajectory, std::size_t i) {
+    return i > 0 && trajectory.frames[i].path == trajectory.frames[i - 1].path;
+}
+
 /// Whether the camera moved on to frame `i` from the frame before within one frame interval.
 [[nodiscard]] inline bool followsOn(const Trajectory& trajectory, std::size_t i) {
-    if (i == 0 || trajectory.frames[i].path != trajectory.frames[i - 1].path) return false;
+    if (!continuesPath(trajectory, i)) return false;
     return trajectory.frames[i].time_s - trajectory.frames[i - 1].time_s <
            1.5 * trajectory.frame_interval_s;
 }

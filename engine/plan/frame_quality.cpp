@@ -15,16 +15,22 @@ nlohmann::json orNull(const std::optional<double>& value) {
     return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
+int countUntrackable(const std::vector<double>& image_corners) {
+    return static_cast<int>(std::ranges::count_if(image_corners, isUntrackable));
+}
+
 }  // namespace
+
+std::optional<double> trackableRate(const std::vector<double>& image_corners) {
+    if (image_corners.empty()) return std::nullopt;
+    const auto frames = static_cast<double>(image_corners.size());
+    return (frames - countUntrackable(image_corners)) / frames;
+}
 
 FrameQualitySummary summarize(const Trajectory& trajectory, const FrameQuality& quality) {
     FrameQualitySummary summary;
-    const std::vector<double>& corners = quality.image_corners;
-    summary.untrackable = static_cast<int>(std::ranges::count_if(corners, isUntrackable));
-    if (!corners.empty()) {
-        summary.trackable_rate =
-            1.0 - static_cast<double>(summary.untrackable) / static_cast<double>(corners.size());
-    }
+    summary.untrackable = countUntrackable(quality.image_corners);
+    summary.trackable_rate = trackableRate(quality.image_corners);
     std::vector<double> overlaps;
     for (std::size_t i = 0; i < quality.overlap.size(); ++i) {
         if (continuesPath(trajectory, i)) overlaps.push_back(quality.overlap[i]);

@@ -31,14 +31,12 @@ struct FrameQuality {
     return image_corners < kTrackableCorners;
 }
 
+/// Share of the frames that are trackable, 0..1; empty without frames.
+[[nodiscard]] std::optional<double> trackableRate(const std::vector<double>& image_corners);
+
 /// Whether a frame has too little of its image in common with the frame before it.
 [[nodiscard]] inline bool isWideGap(double overlap) {
     return overlap < kLeastOverlap;
-}
-
-/// Whether the frame's path goes on from the frame before, so that their overlap counts.
-[[nodiscard]] inline bool continuesPath(const Trajectory& trajectory, std::size_t frame) {
-    return frame > 0 && trajectory.frames[frame].path == trajectory.frames[frame - 1].path;
 }
 
 /// Numbers of a FrameQuality. Rates are 0..1; empty if there are no frames, or no frame follows

@@ -131,13 +131,18 @@ class DenseSearch {
 
 Result<CaptureBound> boundCaptures(const PlanningEnvironment& environment, const Plan& plan,
                                    int seed, const JobContext& job) {
+    constexpr std::size_t kBetweenReports = 16;
     std::vector<Reach> reaches(plan.captures.size());
-    parallelFor(reaches.size(), [&](std::size_t i) {
-        if (job.cancelled()) return;
-        const int id = plan.captures[i].object_id;
-        reaches[i] = DenseSearch(environment, id, seed, job).run(plan);
-    });
-    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+    for (std::size_t begin = 0; begin < reaches.size(); begin += kBetweenReports) {
+        const std::size_t end = std::min(begin + kBetweenReports, reaches.size());
+        parallelFor(end - begin, [&](std::size_t i) {
+            if (job.cancelled()) return;
+            const int id = plan.captures[begin + i].object_id;
+            reaches[begin + i] = DenseSearch(environment, id, seed, job).run(plan);
+        });
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+        job.report(static_cast<double>(end) / static_cast<double>(reaches.size()));
+    }
     CaptureBound bound;
     int captured = 0;
     int well = 0;

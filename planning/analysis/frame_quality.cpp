@@ -64,6 +64,7 @@ Result<FrameQuality> measureFrameQuality(const PlanningEnvironment& environment,
         measureOverlaps(environment.views, plan.trajectory, job.stage(0.0, 0.2, "overlap"));
     if (!overlap) return tl::unexpected(std::move(overlap.error()));
     quality.overlap = std::move(*overlap);
+    job.report(0.2);
     quality.image_corners = plan.series.image_corners;
     if (quality.image_corners.size() != plan.trajectory.frames.size()) {
         auto corners =
@@ -72,6 +73,7 @@ Result<FrameQuality> measureFrameQuality(const PlanningEnvironment& environment,
         if (!corners) return tl::unexpected(std::move(corners.error()));
         quality.image_corners = std::move(*corners);
     }
+    job.report(0.5);
     if (plan.surface) {
         quality.surface = *plan.surface;
         return quality;

@@ -70,6 +70,8 @@ std::optional<double> numberAt(const nlohmann::json& metrics, std::string_view n
 
 std::optional<double> valueOf(const ComparablePlan& plan, std::string_view name) {
     if (name == "duration_s") return durationOf(plan.trajectory);
+    // Without must-see regions the rate is 1, which says nothing.
+    if (name == "must_see_rate" && !plan.metrics.contains("must_see")) return std::nullopt;
     return numberAt(plan.metrics, name);
 }
 

@@ -1,7 +1,7 @@
 #include "planning/gaze/image_corners.h"
 
 #include "engine/jobs/parallel.h"
-#include "engine/plan/frame_series.h"
+#include "engine/plan/frame_quality.h"
 #include "planning/gaze/corner_panorama.h"
 #include "planning/visibility/view_estimator.h"
 
@@ -79,16 +79,16 @@ std::vector<int> pointsAmongBareViews(const Trajectory& trajectory,
     int bare = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const TrajectoryFrame& frame = trajectory.frames[i];
-        if (i > 0 && frame.path != trajectory.frames[i - 1].path) {
+        if (!continuesPath(trajectory, i)) {
             same_path = false;
             bare = 0;
         }
-        if (corners[i] < kTrackableCorners) ++bare;
+        if (isUntrackable(corners[i])) ++bare;
         if (same_path) stops.back().bare_after = bare;
         if (frame.position_point < 0) continue;
         stops.push_back({frame.position_point, bare, 0});
         same_path = true;
-        bare = corners[i] < kTrackableCorners ? 1 : 0;
+        bare = isUntrackable(corners[i]) ? 1 : 0;
     }
     std::erase_if(stops, [&](const Stop& stop) {
         return position_points[stop.point].pin >= 0 || position_points[stop.point].fixed ||
@@ -111,18 +111,10 @@ std::size_t longestTrackableRun(const Trajectory& trajectory, const std::vector<
     std::size_t longest = 0;
     std::size_t run = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const bool same_path = i > 0 && trajectory.frames[i].path == trajectory.frames[i - 1].path;
-        run = corners[i] < kTrackableCorners ? 0 : same_path ? run + 1 : 1;
+        run = isUntrackable(corners[i]) ? 0 : continuesPath(trajectory, i) ? run + 1 : 1;
         longest = std::max(longest, run);
     }
     return longest;
-}
-
-std::optional<double> trackableRate(const std::vector<double>& corners) {
-    if (corners.empty()) return std::nullopt;
-    const auto enough =
-        std::ranges::count_if(corners, [](double count) { return count >= kTrackableCorners; });
-    return static_cast<double>(enough) / static_cast<double>(corners.size());
 }
 
 }  // namespace dollytrack::planning

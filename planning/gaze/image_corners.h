@@ -5,7 +5,6 @@
 #include "engine/jobs/job.h"
 #include "engine/plan/viewpoint.h"
 
-#include <optional>
 #include <vector>
 
 namespace dollytrack::planning {
@@ -41,8 +40,5 @@ void weighByCorners(const ViewEstimator& views, const TextureCorners& textures,
 /// Largest number of consecutive frames of one path with at least kTrackableCorners.
 [[nodiscard]] std::size_t longestTrackableRun(const Trajectory& trajectory,
                                               const std::vector<double>& corners);
-
-/// Share of the frames with at least kTrackableCorners, 0..1; empty without frames.
-[[nodiscard]] std::optional<double> trackableRate(const std::vector<double>& corners);
 
 }  // namespace dollytrack::planning

@@ -183,20 +183,26 @@ class KeyFrames {
     std::vector<Pose> poses_;             // by frame
 };
 
-/// What keeps the camera from the key's position, as a phrase.
-std::string whyNotThere(const BaselineScene& scene, const Vector3d& position) {
+/// What keeps the camera from the key's position, and what a camera does there, as phrases.
+struct NotThere {
+    std::string reason;
+    const char* consequence = "passes there";
+};
+
+NotThere whyNotThere(const BaselineScene& scene, const Vector3d& position) {
     int object_id = 0;
     switch (scene.sphere->verdict(position, object_id)) {
         case Verdict::NoGo:
-            return "is in a no-go box";
+            return {"is in a no-go box"};
         case Verdict::HeightBand:
-            return "is outside the camera's limits of height";
+            return {"is outside the camera's limits of height"};
         case Verdict::OutsideRoom:
-            return "is outside the rooms";
+            return {"is outside the rooms"};
         default:
-            return object_id > 0 ? fmt::format("is in or too close to '{}'",
-                                               scene.scene->object(object_id).name)
-                                 : std::string("is in or too close to an obstacle");
+            return {object_id > 0 ? fmt::format("is in or too close to '{}'",
+                                                scene.scene->object(object_id).name)
+                                  : std::string("is in or too close to an obstacle"),
+                    "collides there"};
     }
 }
 
@@ -286,10 +292,10 @@ class KeyNotes {
 
     [[nodiscard]] std::string collisionNote(std::size_t i, const TrajectoryFrame& frame) const {
         const double away_m = distance_m(i, frame);
-        return fmt::format("Key {} {}: the camera {}; move the key.", i + 1,
-                           whyNotThere(scene_, keys_[i].pose.position),
+        const NotThere why = whyNotThere(scene_, keys_[i].pose.position);
+        return fmt::format("Key {} {}: the camera {}; move the key.", i + 1, why.reason,
                            away_m > 0.0 ? fmt::format("passes at a distance of {:.2f} m", away_m)
-                                        : std::string("collides there"));
+                                        : std::string(why.consequence));
     }
 
     const BaselineScene& scene_;

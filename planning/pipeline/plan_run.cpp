@@ -1,3 +1,4 @@
+#include "engine/plan/frame_quality.h"
 #include "planning/collision/mapped_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/coverage/region_weights.h"
@@ -150,7 +151,7 @@ Status Pipeline::Stages::PlanRun::placePointsByHand() {
     return stages_.run("by_hand", stages_.placed,
                        PlacedInputs{stages_.found.version(), stages_.views.version(),
                                     environment_.pitch, edits_.pinned, edits_.removed},
-                       job_.stage(0.68, 0.7, "by hand"), [&]() -> Result<PlacedPoints> {
+                       job_.stage(0.68, 0.69, "by hand"), [&]() -> Result<PlacedPoints> {
                            return placeByHand(*stages_.found, edits_, environment_,
                                               &stages_.cache.key_frame_visibility);
                        });

@@ -1,9 +1,9 @@
 #include "planning/remedies/remedies.h"
 
-#include "planning/collision/swept_sphere.h"
 #include "planning/coverage/region_weights.h"
 #include "planning/explanations/candidate_tally.h"
 #include "planning/path/frame_budget.h"
+#include "planning/pipeline/search_environment.h"
 #include "planning/remedies/plan_trials.h"
 #include "planning/remedies/remedy_proposals.h"
 #include "planning/viewpoints/key_frames.h"
@@ -53,9 +53,17 @@ std::string pinText(const Pose& view) {
                        std::asin(std::clamp(ahead.z(), -1.0, 1.0)) * kDegreesPerRadian);
 }
 
+constexpr const char* kStage = "remedies";
+
 bool lostInSearch(const LedgerRow& row) {
     return row.loss == Loss::NoFreePose || row.loss == Loss::Occluded ||
            row.loss == Loss::TooSmall || row.loss == Loss::DoesNotFit;
+}
+
+/// How long the search for its remedy takes, compared with others. Without a view, many kinds of
+/// changes are planned, most of them from the map on.
+double effortOf(const LedgerRow& row) {
+    return lostInSearch(row) ? 20.0 : 1.0;
 }
 
 /// Tally of all positions around an object, with the verdicts of candidates.
@@ -87,14 +95,15 @@ class Finder {
   public:
     Finder(const std::shared_ptr<const Scene>& scene, const PlanParams& params,
            const PlanEdits& edits, const Plan& plan, const PlanningEnvironment& environment,
-           PlanTrials& trials, const JobContext& job)
+           PlanTrials& trials, const JobContext& share)
         : scene_(*scene),
           params_(params),
           edits_(edits),
           plan_(plan),
           environment_(environment),
           trials_(trials),
-          job_(job) {}
+          share_(share),
+          job_(share.stage(0.0, 0.0, kStage)) {}
 
     void find(LedgerRow& row) {
         if (lostInSearch(row)) {
@@ -106,6 +115,18 @@ class Finder {
 
   private:
     [[nodiscard]] PlanChange unchanged() const { return {params_, edits_}; }
+
+    /// Plans with a change. Each trial advances the progress by a part of what is left, because how
+    /// many there will be is not known. Steps inside a trial do not.
+    std::shared_ptr<const Plan> tryPlan(const PlanChange& change) {
+        constexpr double kUsualTrials = 5.0;
+        auto plan = trials_.run(change, job_);
+        ++tried_;
+        const double done = tried_ / (tried_ + kUsualTrials);
+        share_.report(done);
+        job_ = share_.stage(done, done, kStage);
+        return plan;
+    }
 
     /// Plans with the proposal. Returns whether it achieves what is asked for; its remedy is then
     /// complete.
@@ -120,7 +141,7 @@ class Finder {
             weigh(*plan, row.object_id, made);
             return row.captured ? now->well_captured : now->captured;
         };
-        if (!made.needs_pin && keeps(trials_.run(made.change, job_))) return true;
+        if (!made.needs_pin && keeps(tryPlan(made.change))) return true;
         if (!made.view) return false;
         PinnedPoint pin;
         pin.name = "remedy";
@@ -132,7 +153,7 @@ class Finder {
         // Try the rounded pose first, then the exact one: a capture may depend on single pixels.
         for (const Pose& pose : {asWritten(*made.view), *made.view}) {
             pinned.back().pose = pose;
-            if (!keeps(trials_.run(made.change, job_))) continue;
+            if (!keeps(tryPlan(made.change))) continue;
             made.remedy.pin = pose;
             made.remedy.text += (made.remedy.text.empty() ? "" : ", and ") + pinText(pose);
             return true;
@@ -403,7 +424,9 @@ class Finder {
     const Plan& plan_;
     const PlanningEnvironment& environment_;
     PlanTrials& trials_;
-    const JobContext& job_;
+    const JobContext& share_;  // this object's part of the progress
+    JobContext job_;           // reports only that part's present state
+    int tried_ = 0;
     int kept_balance_ = 0;  // objects that the kept remedy gains minus those it loses
 };
 
@@ -418,23 +441,24 @@ Result<std::vector<LedgerRow>> findRemedies(const std::shared_ptr<const Scene>& 
         if (row.loss) lost.push_back(&row);
     }
     if (lost.empty() || edits.motion) return rows;  // a given motion would not change
+    constexpr double kPlanningAgain = 0.05;         // its share of the progress
     PlanTrials trials(scene);
     Pipeline& pipeline = trials.pipeline();
-    const auto as_it_is = pipeline.run(params, edits, job.stage(0.0, 0.1, "planning again"));
+    const auto as_it_is =
+        pipeline.run(params, edits, job.stage(0.0, kPlanningAgain, "planning again"));
     if (!as_it_is) return tl::unexpected(as_it_is.error());
-    const auto rays = pipeline.rays();
-    const auto free_space = pipeline.freeSpace();
-    const auto region = pipeline.region();
-    const ViewEstimator views(*scene, *rays, params.camera);
-    const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, region.get());
-    const PlanningEnvironment environment{views, *free_space, sphere,
-                                          pitchBand(params.constraints)};
-    for (std::size_t i = 0; i < lost.size(); ++i) {
-        const double done = 0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(lost.size());
-        job.report(done);
-        const JobContext quiet = job.stage(done, done, "remedies");
-        Finder(scene, params, edits, plan, environment, trials, quiet).find(*lost[i]);
+    const SearchEnvironment search(mapsOf(pipeline, scene), params);
+    double total = 0.0;
+    for (const LedgerRow* row : lost) total += effortOf(*row);
+    const JobContext rest = job.stage(kPlanningAgain, 1.0, kStage);
+    double before = 0.0;
+    for (LedgerRow* row : lost) {
+        const double after = before + effortOf(*row) / total;
+        const JobContext share = rest.stage(before, after, kStage);
+        Finder(scene, params, edits, plan, search.environment(), trials, share).find(*row);
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+        share.report(1.0);
+        before = after;
     }
     return rows;
 }

@@ -10,7 +10,7 @@ std::vector<SegmentId> segmentsOf(const Trajectory& trajectory) {
     std::size_t keys = 0;  // key frames so far on this path
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const TrajectoryFrame& frame = trajectory.frames[i];
-        if (i == 0 || frame.path != trajectory.frames[i - 1].path) keys = 0;
+        if (!continuesPath(trajectory, i)) keys = 0;
         segments[i] = {static_cast<std::size_t>(frame.path), keys > 0 ? keys - 1 : 0};
         if (frame.position_point >= 0) ++keys;
     }

@@ -102,6 +102,8 @@ TEST(FrameSeries, NothingIsMeasuredWhereFramesWereLeftOut) {
     const std::vector<double> speed = {0.0, 0.4, 0.0, 0.4};
     for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(series.speed_mps[i], speed[i], 1e-9) << i;
     EXPECT_EQ(series.score, (std::vector<double>{1, 2, 3, 4}));
+    EXPECT_TRUE(continuesPath(trajectory, 2));
+    EXPECT_FALSE(followsOn(trajectory, 2));
 }
 
 }  // namespace

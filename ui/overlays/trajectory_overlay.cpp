@@ -1,6 +1,5 @@
 #include "ui/overlays/trajectory_overlay.h"
 
-#include "engine/plan/frame_quality.h"
 #include "ui/overlays/palette.h"
 #include "ui/overlays/pick_tag.h"
 
@@ -83,7 +82,7 @@ void addArrows(render::Overlay& overlay, const Trajectory& trajectory) {
     for (std::size_t i = 1; i < trajectory.frames.size(); ++i) {
         const TrajectoryFrame& frame = trajectory.frames[i];
         const TrajectoryFrame& before = trajectory.frames[i - 1];
-        if (frame.path != before.path) continue;
+        if (!continuesPath(trajectory, i)) continue;
         const Eigen::Vector3d way = frame.pose.position - before.pose.position;
         since_last += way.norm();
         if (since_last < kArrowEvery || way.norm() < 1e-6) continue;
@@ -125,7 +124,7 @@ PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& opti
     const Values values = valuesOf(plan, options.color);
     for (std::size_t i = 1; i < frames.size(); ++i) {
         // Between separate paths the camera was moved by other means: there is no motion to draw.
-        if (frames[i].path != frames[i - 1].path) continue;
+        if (!continuesPath(plan.trajectory, i)) continue;
         layer.overlay.lines.push_back({frames[i - 1].pose.position, frames[i].pose.position,
                                        dots || unknown ? kPlain : colorOf(values, i), kWidth, 0.0,
                                        toTag(Picked::Frame, static_cast<int>(i))});

@@ -372,6 +372,10 @@ void addEditCommand(CLI::App& app, Session& session) {
     command->add_flag("--list", arguments->list, "List all operations with their fields");
     command->add_flag("--json", arguments->as_json, "Print as JSON");
     command->footer(
+        "Keys of the camera path: add_camera_key, change_camera_key, remove_camera_key, and\n"
+        "set_motion for all; of a moving object: object_track. 'Files of key frames' in the\n"
+        "guide on planning has an example and the formats; 'repair --keys' reads TUM's and "
+        "others.\n"
         "Example: dollytrack edit room.dolly --op '{\"op\":\"exclude\",\"object\":\"lamp_3\"}' "
         "--plan");
     command->callback([&session, arguments] {

@@ -14,17 +14,14 @@
 #include "engine/io/files/durable_file.h"
 #include "engine/io/files/png_writer.h"
 #include "engine/io/settings/project_file.h"
+#include "engine/jobs/job_phases.h"
 #include "engine/plan/frame_quality.h"
 #include "engine/plan/ledger_json.h"
 #include "engine/plan/plan_json.h"
 #include "planning/analysis/capture_bound.h"
 #include "planning/analysis/frame_quality.h"
-#include "planning/collision/allowed_region.h"
-#include "planning/collision/swept_sphere.h"
-#include "planning/free_space/free_space.h"
+#include "planning/pipeline/search_environment.h"
 #include "planning/remedies/remedies.h"
-#include "planning/viewpoints/viewpoint_search.h"
-#include "planning/visibility/view_estimator.h"
 #include "render/draw/overview.h"
 #include "render/draw/storey_cutaway.h"
 #include "render/overlays/plan_overlay.h"
@@ -35,6 +32,8 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 namespace dollytrack::cli {
 namespace {
@@ -59,36 +58,36 @@ bool asksForQuality(const PlanArguments& arguments) {
     return arguments.quality || !arguments.frames.empty();
 }
 
-/// What a search for viewpoints needs: views, free space and collision checks of a planned scene.
-class PlanSearch {
-  public:
-    PlanSearch(const OpenedScene& opened, const planning::Pipeline& pipeline)
-        : rays_(pipeline.rays()),
-          free_space_(pipeline.freeSpace()),
-          region_(pipeline.region()),
-          views_(*opened.scene, *rays_, opened.params.camera),
-          sphere_(*rays_, *free_space_, opened.params.camera.camera_radius_m, region_.get()),
-          environment_{views_, *free_space_, sphere_,
-                       planning::pitchBand(opened.params.constraints)} {}
+/// Names of the parts of the work that are shared out.
+constexpr const char* kLoading = "loading";
+constexpr const char* kPlanning = "planning";
+constexpr const char* kDenseSearch = "dense search";
+constexpr const char* kFrames = "frames";
+constexpr const char* kRemedies = "remedies";
+constexpr const char* kCoverage = "coverage";
 
-    [[nodiscard]] const planning::PlanningEnvironment& environment() const { return environment_; }
+/// The parts that were asked for, by how long they usually take compared with each other.
+JobPhases phasesOf(const PlanArguments& arguments, const JobContext& job) {
+    return {job,
+            {{kLoading, 1.0},
+             {kPlanning, 4.0},
+             {kDenseSearch, arguments.bound ? 2.0 : 0.0},
+             {kFrames, asksForQuality(arguments) ? 4.0 : 0.0},
+             {kRemedies, arguments.explain ? 40.0 : 0.0},
+             {kCoverage, arguments.coverage.empty() ? 0.0 : 40.0}}};
+}
 
-    PlanSearch(const PlanSearch&) = delete;
-    PlanSearch& operator=(const PlanSearch&) = delete;
-
-  private:
-    std::shared_ptr<const RayCaster> rays_;
-    std::shared_ptr<const planning::FreeSpace> free_space_;
-    std::shared_ptr<const planning::AllowedRegion> region_;
-    planning::ViewEstimator views_;
-    planning::SweptSphere sphere_;
-    planning::PlanningEnvironment environment_;
-};
+/// A part whose steps are plans of their own: the progress names the part instead of their stages.
+JobContext ofManyPlans(const Session& session, JobContext part) {
+    return {session.cancelled,
+            [part = std::move(part)](double fraction, std::string_view) { part.report(fraction); }};
+}
 
 Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipeline,
                       const Plan& plan, nlohmann::json& metrics, const JobContext& job) {
     const auto begin = std::chrono::steady_clock::now();
-    const PlanSearch search(opened, pipeline);
+    const planning::SearchEnvironment search(planning::mapsOf(pipeline, opened.scene),
+                                             opened.params);
     const auto bound = planning::boundCaptures(search.environment(), plan, opened.params.seed, job);
     if (!bound) return tl::unexpected(bound.error());
     const std::chrono::duration<double, std::milli> spent =
@@ -101,7 +100,8 @@ Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipel
 /// table of the frames.
 Status addQuality(const OpenedScene& opened, const planning::Pipeline& pipeline, const Plan& plan,
                   const PlanArguments& arguments, nlohmann::json& metrics, const JobContext& job) {
-    const PlanSearch search(opened, pipeline);
+    const planning::SearchEnvironment search(planning::mapsOf(pipeline, opened.scene),
+                                             opened.params);
     const auto quality =
         planning::measureFrameQuality(search.environment(), opened.params, plan, job);
     if (!quality) return tl::unexpected(quality.error());
@@ -224,8 +224,7 @@ Status writeFiles(const OpenedScene& opened, planning::Pipeline& pipeline,
         }
     }
     if (arguments.coverage.empty()) return {};
-    return saveCoverage(opened, pipeline, *planned.plan, arguments.coverage,
-                        job.stage(0.5, 1.0, "coverage"));
+    return saveCoverage(opened, pipeline, *planned.plan, arguments.coverage, job);
 }
 
 /// Checked before the work: files with another extension cannot be opened again.
@@ -246,18 +245,18 @@ Status checkFiles(const PlanArguments& arguments) {
 /// Adds the measurements of the plan that were asked for to its metrics.
 Status addMeasurements(const OpenedScene& opened, const planning::Pipeline& pipeline,
                        PlannedScene& planned, const PlanArguments& arguments,
-                       const JobContext& job) {
+                       const JobPhases& phases) {
     if (!arguments.bound && !asksForQuality(arguments)) return {};
     if (arguments.bound) {
         if (Status status = addDenseSearch(opened, pipeline, *planned.plan, planned.metrics,
-                                           job.stage(0.5, 1.0, "dense search"));
+                                           phases.of(kDenseSearch));
             !status) {
             return status;
         }
     }
     if (asksForQuality(arguments)) {
         if (Status status = addQuality(opened, pipeline, *planned.plan, arguments, planned.metrics,
-                                       job.stage(0.5, 1.0, "frames"));
+                                       phases.of(kFrames));
             !status) {
             return status;
         }
@@ -278,25 +277,24 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     if (Status status = knowsMetrics(*requirements, arguments); !status) {
         return tl::unexpected(std::move(status.error()));
     }
-    const JobContext job = session.job();
-    const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
+    const JobPhases phases = phasesOf(arguments, session.job());
+    const Result<OpenedScene> opened = openScene(arguments.scene, phases.of(kLoading));
     if (!opened) return tl::unexpected(opened.error());
     planning::Pipeline pipeline(opened->scene);
-    const bool goes_on = arguments.bound || arguments.explain || !arguments.coverage.empty() ||
-                         asksForQuality(arguments);
-    Result<PlannedScene> planned =
-        planScene(*opened, pipeline, job.stage(0.3, goes_on ? 0.5 : 1.0, "planning"));
+    Result<PlannedScene> planned = planScene(*opened, pipeline, phases.of(kPlanning));
     if (!planned) return tl::unexpected(std::move(planned.error()));
-    if (Status status = addMeasurements(*opened, pipeline, *planned, arguments, job); !status) {
+    if (Status status = addMeasurements(*opened, pipeline, *planned, arguments, phases); !status) {
         return tl::unexpected(std::move(status.error()));
     }
     std::vector<LedgerRow> ledger;
     if (arguments.explain) {
-        auto rows = explain(*opened, *planned, job.stage(0.5, 1.0, "remedies"));
+        auto rows = explain(*opened, *planned, ofManyPlans(session, phases.of(kRemedies)));
         if (!rows) return tl::unexpected(std::move(rows.error()));
         ledger = std::move(*rows);
     }
-    if (Status status = writeFiles(*opened, pipeline, *planned, arguments, job); !status) {
+    if (Status status = writeFiles(*opened, pipeline, *planned, arguments,
+                                   ofManyPlans(session, phases.of(kCoverage)));
+        !status) {
         return tl::unexpected(std::move(status.error()));
     }
     if (arguments.as_json) {

@@ -42,6 +42,15 @@ std::string scoreRows(const nlohmann::json& repair) {
                            repair.value("rounds", 0)));
 }
 
+/// The row of a given motion; empty for a planned one.
+std::string givenMotionRow(const nlohmann::json& m) {
+    if (!m.value("given_motion", false)) return {};
+    const auto keys = m.find("camera_keys");
+    if (keys == m.end()) return row("motion", "as given, not planned");
+    return row("motion", fmt::format("through {} given camera key{}, not planned", keys->size(),
+                                     keys->size() == 1 ? "" : "s"));
+}
+
 /// Rows for the objects: captured, possible, missed, share of the image.
 std::string captureRows(const nlohmann::json& m) {
     std::string text;
@@ -150,10 +159,16 @@ std::string coverageRows(const nlohmann::json& m) {
     return text;
 }
 
-/// The objects that are not captured, each with the reason.
+/// The objects that are not captured, each with the reason; only their number if the motion is
+/// given, since nothing was planned for them.
 std::string uncapturedRows(const nlohmann::json& m) {
     std::string text;
     const auto& uncaptured = m.value("uncaptured", nlohmann::json::array());
+    if (!uncaptured.empty() && m.value("given_motion", false)) {
+        return row("not captured",
+                   fmt::format("{} object{} (plan --explain lists them); the motion is given",
+                               uncaptured.size(), uncaptured.size() == 1 ? "" : "s"));
+    }
     if (!uncaptured.empty()) text += "not captured:\n";
     for (std::size_t i = 0; i < std::min(kListed, uncaptured.size()); ++i) {
         text += row(uncaptured[i].value("object", ""), uncaptured[i].value("reason", ""));
@@ -182,7 +197,7 @@ std::string scannedText(const nlohmann::json& metrics) {
 }
 
 std::string metricsTable(const nlohmann::json& m) {
-    std::string text = captureRows(m) + collisionRows(m);
+    std::string text = givenMotionRow(m) + captureRows(m) + collisionRows(m);
     text +=
         row("frames", fmt::format("{}, {} of them key frames, every {:.3g} s", m.value("frames", 0),
                                   m.value("key_frames", 0), m.value("frame_interval_s", 0.0)));

@@ -1,6 +1,7 @@
 #include "app/cli/terminal/progress_bar.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/jobs/progress_estimate.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,17 +9,16 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace dollytrack::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = ProgressEstimate::Clock;
 
 constexpr auto kRedraw = std::chrono::milliseconds(100);
 constexpr auto kPlainLine = std::chrono::seconds(10);
 constexpr int kBarWidth = 24;
-// Below this fraction an estimate of the time left is too unstable.
-constexpr double kEnoughToGuess = 0.02;
 
 std::string timeLeft(double seconds) {
     const long s = std::lround(seconds);
@@ -30,24 +30,22 @@ std::string timeLeft(double seconds) {
 
 struct ProgressBar::State {
     bool terminal = isatty(STDERR_FILENO) != 0;
-    Clock::time_point begin = Clock::now();
-    Clock::time_point last_shown = begin;
+    Clock::time_point last_shown = Clock::now();
+    ProgressEstimate estimate{last_shown};
     bool open = false;
 
     ~State() { finish(); }
 
-    void show(double fraction, const std::string& note) {
+    void show(double reported, const std::string& note) {
         const auto now = Clock::now();
+        const double fraction = estimate.add(reported, now);
         if (now - last_shown <
             (terminal ? Clock::duration(kRedraw) : Clock::duration(kPlainLine))) {
             return;
         }
         last_shown = now;
-        const double spent = std::chrono::duration<double>(now - begin).count();
-        const std::string left =
-            fraction > kEnoughToGuess
-                ? fmt::format(", {} left", timeLeft(spent / fraction * (1.0 - fraction)))
-                : "";
+        const std::optional<double> seconds = estimate.secondsLeft(now);
+        const std::string left = seconds ? fmt::format(", {} left", timeLeft(*seconds)) : "";
         if (terminal) {
             const int full = static_cast<int>(std::lround(fraction * kBarWidth));
             fmt::print(stderr, "\r[{:<{}}] {:3.0f} %  {}{}\033[K", std::string(full, '='),

@@ -1,6 +1,7 @@
 #include "app/cli/terminal/progress_lines.h"
 
 #include "engine/core/clean_lines.h"
+#include "engine/jobs/progress_estimate.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,12 +15,10 @@
 namespace dollytrack::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = ProgressEstimate::Clock;
 using Json = nlohmann::ordered_json;
 
 constexpr auto kBetween = std::chrono::milliseconds(100);
-// Below this fraction an estimate of the time left is too unstable.
-constexpr double kLeastFractionToGuess = 0.02;
 
 /// One call per line, so that lines of several threads do not mix.
 void writeLine(const Json& json) {
@@ -60,6 +59,7 @@ const char* nameOf(ErrorCode code) {
 
 struct ProgressLines::State {
     Clock::time_point begin = Clock::now();
+    ProgressEstimate estimate{begin};
     std::optional<Clock::time_point> last_line;
     int frames = 0;
     int frames_done = 0;
@@ -75,7 +75,8 @@ struct ProgressLines::State {
         frames_done = done;
     }
 
-    void show(double fraction, std::string_view stage) {
+    void show(double reported, std::string_view stage) {
+        const double fraction = estimate.add(reported);
         if (last_line && Clock::now() - *last_line < kBetween) return;
         last_line = Clock::now();
         Json line = {{"stage", stage}, {"fraction", rounded(fraction)}};
@@ -83,13 +84,13 @@ struct ProgressLines::State {
             line["frames_done"] = frames_done;
             line["frames"] = frames;
         }
-        const double spent = secondsSince(frames > 0 ? frames_begin : begin);
+        const double spent = frames > 0 ? secondsSince(frames_begin) : 0.0;
         if (frames_done > frames_found && spent > 0.0) {
             const double rate = (frames_done - frames_found) / spent;
             line["frames_per_s"] = rounded(rate);
             line["seconds_left"] = rounded((frames - frames_done) / rate);
-        } else if (frames == 0 && fraction > kLeastFractionToGuess) {
-            line["seconds_left"] = rounded(spent / fraction * (1.0 - fraction));
+        } else if (const auto left = estimate.secondsLeft(); left && frames == 0) {
+            line["seconds_left"] = rounded(*left);
         }
         writeLine(line);
     }

@@ -117,6 +117,7 @@ void LivePlanner::start(PlanRequest request) {
             const auto collect = [&](std::shared_ptr<const Plan> plan, bool measured) {
                 outcome.rays = worker_state->pipeline->rays();
                 outcome.free_space = worker_state->pipeline->freeSpace();
+                outcome.region = worker_state->pipeline->region();
                 outcome.plan = std::move(plan);
                 outcome.measured = measured;
                 publish();

@@ -18,8 +18,9 @@
 namespace dollytrack {
 class RayCaster;
 namespace planning {
+class AllowedRegion;
 class FreeSpace;
-}
+}  // namespace planning
 }  // namespace dollytrack
 
 namespace dollytrack::editor {
@@ -42,6 +43,7 @@ struct PlanOutcome {
     std::uint64_t objects_since = 0;             // since this geometry, objects have only moved
     std::shared_ptr<const RayCaster> rays;
     std::shared_ptr<const planning::FreeSpace> free_space;
+    std::shared_ptr<const planning::AllowedRegion> region;
     std::shared_ptr<const Plan> plan;  // null before the first plan and after an error
     planning::PlanParams params;
     PlanEdits edits;        // plan edits with object ids of this scene

@@ -1,13 +1,8 @@
 #include "app/editor/project/quality_worker.h"
 
 #include "engine/core/log.h"
-#include "engine/geometry/ray_caster.h"
 #include "planning/analysis/frame_quality.h"
-#include "planning/collision/allowed_region.h"
-#include "planning/collision/swept_sphere.h"
-#include "planning/free_space/free_space.h"
-#include "planning/viewpoints/viewpoint_search.h"
-#include "planning/visibility/view_estimator.h"
+#include "planning/pipeline/search_environment.h"
 
 #include <utility>
 
@@ -15,16 +10,9 @@ namespace dollytrack::editor {
 namespace {
 
 Result<FrameQuality> measure(const PlanOutcome& shown, const JobContext& job) {
-    const planning::PlanParams& params = shown.params;
-    const double radius_m = params.camera.camera_radius_m;
-    const planning::AllowedRegion region(*shown.scene, *shown.rays, *shown.free_space,
-                                         shown.edits.no_go, params.free_space, params.body,
-                                         radius_m);
-    const planning::SweptSphere sphere(*shown.rays, *shown.free_space, radius_m, &region);
-    const planning::ViewEstimator views(*shown.scene, *shown.rays, params.camera);
-    return planning::measureFrameQuality(
-        {views, *shown.free_space, sphere, planning::pitchBand(params.constraints)}, params,
-        *shown.plan, job);
+    const planning::SearchEnvironment search(
+        {shown.scene, shown.rays, shown.free_space, shown.region}, shown.params);
+    return planning::measureFrameQuality(search.environment(), shown.params, *shown.plan, job);
 }
 
 }  // namespace
@@ -38,7 +26,7 @@ void QualityWorker::follow(const PlanOutcome& shown, bool wanted) {
         measured_plan_.reset();
         quality_.reset();
     }
-    const bool can = shown.plan && shown.measured && shown.free_space && shown.rays;
+    const bool can = shown.plan && shown.measured;
     if (!wanted || !can) {
         if (worker_.state().busy) worker_.cancel();
         asked_plan_ = measured_plan_;

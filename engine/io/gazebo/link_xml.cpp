@@ -38,14 +38,18 @@ Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most) {
                     "the scene's files have more than 64 MiB of XML; split the scene",
                     path.string());
     }
+    return parseXml(*text, path);
+}
+
+Result<XmlFile> parseXml(std::string_view text, const std::filesystem::path& path) {
     XmlFile file;
-    file.bytes = text->size();
-    for (auto at = text->find('\n'); at != std::string::npos; at = text->find('\n', at + 1)) {
+    file.bytes = text.size();
+    for (auto at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) {
         file.line_ends.push_back(at);
     }
-    const pugi::xml_parse_result parsed = file.document.load_buffer(text->data(), text->size());
+    const pugi::xml_parse_result parsed = file.document.load_buffer(text.data(), text.size());
     if (!parsed) {
-        const auto line = 1 + std::count(text->begin(), text->begin() + parsed.offset, '\n');
+        const auto line = 1 + std::count(text.begin(), text.begin() + parsed.offset, '\n');
         return fail(ErrorCode::BadInput,
                     std::string("the XML cannot be read (") + parsed.description() +
                         "); the file is damaged or truncated",

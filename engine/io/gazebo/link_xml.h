@@ -37,6 +37,9 @@ struct XmlFile {
 /// large, or contains xacro macros.
 [[nodiscard]] Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most);
 
+/// The same of a text; `path` is its name in errors.
+[[nodiscard]] Result<XmlFile> parseXml(std::string_view text, const std::filesystem::path& path);
+
 /// The text of an element without surrounding blanks.
 [[nodiscard]] std::string textOf(const pugi::xml_node& node);
 

@@ -4,6 +4,7 @@
 #include "engine/io/gazebo/link_xml.h"
 #include "engine/io/gazebo/sdf_frames.h"
 #include "engine/io/gazebo/sdf_material.h"
+#include "engine/io/gazebo/standard_models.h"
 #include "engine/io/gazebo/visuals.h"
 
 #include <fmt/format.h>
@@ -186,23 +187,26 @@ class SdfReader {
         const auto [found, is_new] = found_models_.try_emplace({folder, uri});
         if (is_new) found->second = files_.findModel(folder, uri);
         const std::optional<fs::path>& file = found->second;
-        if (!file) {
+        const std::string_view standard = file ? std::string_view() : standardModel(uri);
+        if (!file && standard.empty()) {
             missing_.push_back(cleanText(uri));
             return {};
         }
+        const fs::path path = file.value_or(fs::path(uri));
         for (const Scope* around = &scope; around != nullptr; around = around->parent) {
-            if (around->path != *file) continue;
+            if (around->path != path) continue;
             return wrongAt(
                 "the model '" + cleanText(uri) +
                     "' includes itself, directly or through other models; remove that <include>",
                 scope, frame.node);
         }
-        auto at = documents_.find(*file);
+        auto at = documents_.find(path);
         if (at == documents_.end()) {
-            Result<XmlFile> read = readXml(*file, kMostXmlBytes - xml_bytes_);
+            const std::uint64_t most = kMostXmlBytes - xml_bytes_;
+            Result<XmlFile> read = file ? readXml(path, most) : parseXml(standard, path);
             if (!read) return tl::unexpected(read.error());
             xml_bytes_ += read->bytes;
-            at = documents_.emplace(*file, std::make_unique<XmlFile>(std::move(*read))).first;
+            at = documents_.emplace(path, std::make_unique<XmlFile>(std::move(*read))).first;
         }
         expanded_bytes_ += at->second->bytes;
         if (expanded_bytes_ > kMostExpandedBytes) {
@@ -213,11 +217,11 @@ class SdfReader {
         }
         const pugi::xml_node sdf = at->second->document.child("sdf");
         const pugi::xml_node model = sdf.child("model");
-        if (model) return openModel(model, *file, *at->second, scope, frame);
+        if (model) return openModel(model, path, *at->second, scope, frame);
         if (sdf.child("light") || sdf.child("actor")) return {};  // such as model://sun
         return fail(ErrorCode::BadInput,
                     "the included file has no <model> element; include a file that has one",
-                    file->string());
+                    path.string());
     }
 
     /// Calls `use` for each link of a model and of the models in it.

@@ -56,6 +56,17 @@ class CommandLine(FolderCase):
 
     # --- planning
 
+    def test_progress_rises_through_all_parts_of_the_work(self):
+        watched = run("plan", self.room, "--max-frames", 8, "--bound", "--quality", "--explain",
+                      "--coverage", self.folder / "curve.csv", "--progress", "json")
+        self.assertEqual(watched.returncode, 0, watched.stderr)
+        lines = [json.loads(line) for line in watched.stderr.splitlines()]
+        fractions = [line["fraction"] for line in lines if "fraction" in line]
+        self.assertTrue(fractions)
+        self.assertEqual(fractions, sorted(fractions))
+        self.assertLess(fractions[0], 0.2)
+        self.assertTrue(all(line["seconds_left"] >= 0 for line in lines if "seconds_left" in line))
+
     def test_a_scan_says_everywhere_how_much_of_it_was_scanned(self):
         scan = self.folder / "scan.obj"
         write_partial_scan(scan)

@@ -381,7 +381,9 @@ class ExportFolder(FolderCase):
                 self.assertIn(said or "", "".join(told))
 
     def test_other_pictures_than_were_planned_are_said_to_be_other_views(self):
-        for arguments, said in [(["--set", "width_px=80"], "width_px; planning again"),
+        for arguments, said in [(["--set", "width_px=80"],
+                                 "width_px; planning again, so the views will differ; to plan only "
+                                 "once, give --set width_px=80 to 'dollytrack plan'"),
                                 (["--set", "light_preset=night"], None)]:
             warnings = self.export(self.new_folder(), "--modalities", "depth", "--range", "0:1",
                                    *arguments).stderr

@@ -133,6 +133,12 @@ class Repair(FolderCase):
         self.assertNotIn("frames", stored)
         self.assertEqual([key[0] for key in stored["keys"]], [0.0, 4.0, 9.0])
         self.assertEqual([key["note"] for key in report["keys"]], ["", "", ""])
+        planned = run("plan", project).stdout
+        missed = json.loads(run("plan", project, "--json").stdout)["uncaptured"]
+        self.assertRegex(planned, r"motion +through 3 given camera keys, not planned\n")
+        self.assertGreater(len(missed), 0)
+        self.assertRegex(planned, rf"not captured +{len(missed)} objects? \(plan --explain lists")
+        self.assertNotIn(missed[0]["reason"], planned)
         out = self.folder / "keys"
         done = run("export", project, "--out", out, *EXPORT)
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -296,6 +296,33 @@ TEST(Gazebo, LightsThatAreIncludedAreLeftOut) {
     EXPECT_EQ(scene.objects.size(), 1U);
 }
 
+TEST(Gazebo, GazebosOwnSunAndGroundPlaneNeedNoFiles) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    const std::string fuel = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/";
+    for (const auto& [sun, ground] :
+         {std::pair<std::string, std::string>{"model://sun", "model://ground_plane"},
+          {fuel + "Sun", fuel + "Ground Plane"}}) {
+        const Scene scene = imported(folder.write(
+            "room.world", world("<include><uri>" + sun + "</uri></include><include><uri>" + ground +
+                                "</uri><pose>1 2 -0.5 0 0 0</pose></include>"
+                                "<include><uri>model://sofa</uri></include>"
+                                "<include><uri>model://moon</uri></include>")));
+        ASSERT_EQ(scene.objects.size(), 2U);
+        const Object& plane = scene.objects.front();
+        EXPECT_EQ(plane.name, "ground_plane");
+        for (std::uint32_t v = 0; v < plane.vertex_count; ++v) {
+            const Eigen::Vector3f& at = scene.positions[plane.first_vertex + v];
+            EXPECT_NEAR(std::abs(at.x() - 1.0F), 50.0F, 1e-4F);
+            EXPECT_NEAR(std::abs(at.y() - 2.0F), 50.0F, 1e-4F);
+            EXPECT_NEAR(at.z(), -0.5F, 1e-6F);
+        }
+        EXPECT_FALSE(says(scene.report.warnings, sun));
+        EXPECT_FALSE(says(scene.report.warnings, ground));
+        EXPECT_TRUE(says(scene.report.warnings, "model://moon"));
+    }
+}
+
 // Symbolic links within a folder are allowed, but not those that lead out.
 TEST(ReachableFiles, StopAtLinksThatLeadOut) {
     const TempFolder folder;

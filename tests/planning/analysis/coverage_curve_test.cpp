@@ -1,6 +1,7 @@
 #include "planning/analysis/coverage_curve.h"
 
 #include "planning/pipeline/pipeline.h"
+#include "tests/planning/support/rising_progress.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +16,10 @@ TEST(CoverageCurve, EachPointIsThePlanOfItsBudget) {
     Pipeline pipeline(scene);
     const auto plan = pipeline.run(params, JobContext{});
     ASSERT_TRUE(plan);
-    const auto curves = coverageCurves(pipeline, params, {}, **plan, JobContext{});
+    test_support::RisingProgress progress;
+    const auto curves = coverageCurves(pipeline, params, {}, **plan, progress.job());
     ASSERT_TRUE(curves);
+    EXPECT_GT(progress.reports(), 3);
     ASSERT_GT(curves->by_frames.size(), 3U);
     ASSERT_GT(curves->by_length.size(), 3U);
     EXPECT_EQ(curves->by_frames.front().max_frames, 1);

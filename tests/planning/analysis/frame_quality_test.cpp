@@ -3,9 +3,12 @@
 #include "engine/geometry/ray_caster.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/pipeline/pipeline.h"
+#include "planning/pipeline/search_environment.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
 #include "tests/planning/support/plan_support.h"
+#include "tests/planning/support/rising_progress.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +17,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 
 namespace dollytrack::planning::frame_quality_test {
@@ -106,6 +110,19 @@ TEST(FrameQuality, IsMeasuredForPlansOfAnyObjectiveAndWithinPaths) {
     EXPECT_EQ(quality->surface.patches, both->surface->patches);
     EXPECT_EQ(quality->surface.seen, both->surface->seen);
     EXPECT_EQ(quality->surface.covered, both->surface->covered);
+    // So they are with the maps of a pipeline that is gone.
+    const auto search = [&] {
+        const auto shared = std::make_shared<const Scene>(scene);
+        Pipeline pipeline(shared);
+        EXPECT_TRUE(pipeline.run(params, JobContext{}));
+        return std::make_unique<SearchEnvironment>(mapsOf(pipeline, shared), params);
+    }();
+    test_support::RisingProgress progress;
+    const auto again = measureFrameQuality(search->environment(), params, plan, progress.job());
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->image_corners, quality->image_corners);
+    EXPECT_EQ(again->overlap, quality->overlap);
+    EXPECT_EQ(again->surface.covered, quality->surface.covered);
     const auto& frames = plan.trajectory.frames;
     ASSERT_EQ(quality->overlap.size(), frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {

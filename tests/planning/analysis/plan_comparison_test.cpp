@@ -66,6 +66,17 @@ TEST(PlanComparison, TellsDifferencesAndWhichPlanIsBetter) {
     EXPECT_EQ(find(metrics, "min_clearance_m"), nullptr);
 }
 
+TEST(PlanComparison, TheMustSeeRateNeedsRegions) {
+    const nlohmann::json without = {{"must_see_rate", 1.0}};
+    const nlohmann::json with = {{"must_see_rate", 0.5}, {"must_see", {{{"region", "altar"}}}}};
+    EXPECT_EQ(find(comparePlans({without, {}}, {without, {}}), "must_see_rate"), nullptr);
+    const auto one_sided = comparePlans({without, {}}, {with, {}});
+    const ComparedMetric* seen = find(one_sided, "must_see_rate");
+    ASSERT_NE(seen, nullptr);
+    EXPECT_EQ(seen->a, std::nullopt);
+    EXPECT_EQ(seen->b, 0.5);
+}
+
 TEST(PlanComparison, APlanDoesNotDifferFromItself) {
     const Scene scene = test::furnishedRoom();
     const auto plan = test_support::planOf(scene);

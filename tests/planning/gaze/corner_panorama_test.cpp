@@ -1,6 +1,6 @@
 #include "planning/gaze/corner_panorama.h"
 
-#include "engine/plan/frame_series.h"
+#include "engine/plan/frame_quality.h"
 #include "planning/gaze/image_corners.h"
 #include "planning/visibility/view_estimator.h"
 #include "tests/planning/support/plan_support.h"
@@ -227,6 +227,7 @@ TEST(ImageCorners, RateIsTheShareOfFramesThatShowTheShelves) {
     EXPECT_EQ(trackableRate(*corners), 0.5);
     EXPECT_EQ(trackableRate({}), std::nullopt);
     EXPECT_EQ(trackableRate({kTrackableCorners, kTrackableCorners - 1}), 0.5);
+    EXPECT_EQ(trackableRate({0.0, 0.0, 0.0, kTrackableCorners, kTrackableCorners}), 0.4);
 }
 
 }  // namespace dollytrack::planning::corner_panorama_test

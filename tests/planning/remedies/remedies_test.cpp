@@ -4,6 +4,7 @@
 #include "engine/plan/remedy_operations.h"
 
 #include "planning/pipeline/pipeline.h"
+#include "tests/planning/support/rising_progress.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -22,13 +23,18 @@ struct Treated {
           params(std::move(with)),
           edits(std::move(by_hand)) {
         const auto plan = planOf(*scene, params, edits);
-        rows = *findRemedies(scene, params, edits, *plan, plan->ledger, JobContext{});
+        test_support::RisingProgress progress;
+        rows = *findRemedies(scene, params, edits, *plan, plan->ledger, progress.job());
+        if (progress.reports() > 0) {
+            EXPECT_NEAR(progress.last(), 1.0, 1e-9);
+        }
     }
 
     static std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params,
                                               const PlanEdits& edits) {
         Pipeline pipeline(std::make_shared<const Scene>(scene));
-        auto plan = pipeline.run(params, edits, JobContext{});
+        test_support::RisingProgress progress;
+        auto plan = pipeline.run(params, edits, progress.job());
         EXPECT_TRUE(plan.has_value()) << describe(plan.error());
         return *plan;
     }
