@@ -81,7 +81,12 @@ void Editor::follow(const ui::ComparisonActions& actions) {
 }
 
 void Editor::followComparison() {
-    quality_.follow(workspace_.shown(), layer_settings_.quality);
+    const PlanOutcome& shown = workspace_.shown();
+    // A measurement that ended before follow() has given its result there, unless it has failed.
+    const bool was_measuring = quality_.state().busy;
+    quality_.follow(shown, layer_settings_.quality);
+    const bool measures = was_measuring || quality_.state().busy || !shown.measured;
+    plan_timeline_.followQuality(quality_.of(shown.plan), layer_settings_.quality && measures);
     probePictures();
     if (workspace_.isOpen()) comparison_.followUndo(workspace_.history().state());
     if (const std::optional<Error> error = comparison_.poll()) {

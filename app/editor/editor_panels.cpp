@@ -234,6 +234,8 @@ void Editor::drawTimeline() {
         view.object_name = [this](int id) { return workspace_.shown().scene->object(id).name; };
         if (const KeptPlan* kept = comparison_.kept()) {
             view.kept_s = planning::durationOf(*kept->trajectory);
+        view.earlier_quality = plan_timeline_.measuredQuality();
+        view.measures_quality = plan_timeline_.qualityPending();
             view.kept_text =
                 fmt::format("{} frames, {:.1f} s", kept->trajectory->frames.size(), view.kept_s);
         }
