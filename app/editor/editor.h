@@ -109,7 +109,7 @@ class Editor {
     // editor_panels.cpp
     /// Draws the tabs of a side, and the panel that is selected there.
     void drawDock(DockSide side);
-    void drawPanel(const std::string& name);
+    void drawPanel(Panel panel);
     void drawStatus();
     void drawDragStatus();
     void drawPlanStatus(const Plan& plan);

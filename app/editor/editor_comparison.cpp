@@ -21,7 +21,7 @@ void Editor::addComparisonCommands() {
     const auto needs_kept = [this]() -> std::string {
         return comparison_.kept() != nullptr ? "" : "Keep a plan first.";
     };
-    const auto show = [this] { docks_.open("Metrics"); };
+    const auto show = [this] { docks_.open(panelName(Panel::Metrics)); };
     commands_.add({"plan.keep",
                    "Edit",
                    "Keep this plan to compare with it",
