@@ -170,6 +170,11 @@ class Editor {
 
     // editor_picking.cpp: clicks into the viewport
     [[nodiscard]] std::vector<ui::Selection> underCursor(const Eigen::Vector2d& pixel);
+    struct PickedPixel {
+        double depth_m = 0.0;                     // of the scene's surface; 0: there is none
+        std::vector<ui::PickedElement> elements;  // of layers, the best first
+    };
+    [[nodiscard]] PickedPixel pick(const Eigen::Vector2d& pixel) const;
     /// Selects the first of underCursor(); a second click at the same place selects the next. With
     /// `add`, adds the object or takes it out; with `list`, shows them all to choose from.
     void clickAt(const Eigen::Vector2d& pixel, bool add, bool list);

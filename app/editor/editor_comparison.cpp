@@ -153,12 +153,10 @@ void Editor::drawFrameTip() {
     const bool free = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered &&
                       !gizmo_.dragging() && !ImGui::IsAnyMouseDown() && !through_camera_;
     if (!layer_settings_.quality || !quality || !free) return;
-    const ui::ViewImage& image = drawing_.view();
-    if (layers_.layers().plan != shown.plan || !shown.hasObjectsOf(image.geometry)) return;
-    const std::optional<Eigen::Vector3d> surface = ui::surfaceAt(image, pane_.cursor);
-    const double depth_m = surface ? image.view.pose.toCamera(*surface).z() : 0.0;
-    const std::vector<ui::PickedElement> picked =
-        layers_.layers().pick(image.view, pane_.cursor, depth_m, overlayScale());
+    const bool is_current =
+        layers_.layers().plan == shown.plan && shown.hasObjectsOf(drawing_.view().geometry);
+    if (!is_current) return;
+    const std::vector<ui::PickedElement> picked = pick(pane_.cursor).elements;
     const auto pointed = std::ranges::find_if(
         picked, [](const ui::PickedElement& one) { return one.visible && one.on; });
     if (pointed == picked.end() || pointed->tag.kind != ui::Picked::Frame) return;
