@@ -62,7 +62,7 @@ ui::ComparisonView Editor::comparisonView() {
     ui::ComparisonView view;
     view.why_not_keep = view.why_not_swap = whyPlanNotCurrent();
     if (!workspace_.isOpen()) view.why_not_open = "No scene is open.";
-    view.reading = comparison_.reading();
+    view.reading = comparison_.reading().filename().string();
     const KeptPlan* kept = comparison_.kept();
     if (kept == nullptr) return view;
     view.has_kept = true;
@@ -78,6 +78,7 @@ void Editor::follow(const ui::ComparisonActions& actions) {
     if (actions.open) askForFile("kept plan");
     if (actions.swap) comparison_.swap(workspace_, quality.get());
     if (actions.drop) comparison_.drop();
+    if (actions.cancel_reading) comparison_.cancelReading();
 }
 
 void Editor::followComparison() {
@@ -172,7 +173,7 @@ void Editor::drawFrameTip() {
 }
 
 nlohmann::json Editor::comparisonJson() const {
-    nlohmann::json json = {{"reading", comparison_.reading()}, {"kept", nullptr}};
+    nlohmann::json json = {{"reading", !comparison_.reading().empty()}, {"kept", nullptr}};
     if (const KeptPlan* kept = comparison_.kept()) {
         json["kept"] = {{"name", kept->name}, {"frames", kept->trajectory->frames.size()}};
     }

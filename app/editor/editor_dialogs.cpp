@@ -176,6 +176,7 @@ void Editor::drawDialogs() {
         if (auto found = exports_->takeFound(); !found.empty()) {
             questions_.offerExports(std::move(found));
         }
+        if (const auto other = other_projects_.take()) addOtherProject(*other);
     }
     if (const std::optional<ui::FileAnswer> answer = files_.draw()) answerFile(*answer);
     drawSheet();

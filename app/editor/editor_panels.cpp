@@ -234,6 +234,8 @@ void Editor::drawTimeline() {
         view.series = &now->series;
         view.quality = quality_.of(workspace_.shown().plan).get();
         view.earlier = plan_timeline_.measured();
+        view.earlier_quality = plan_timeline_.measuredQuality();
+        view.measures_quality = plan_timeline_.qualityPending();
         view.target_count = now->capture_metrics.objects;
         const planning::PlanParams& params = workspace_.shown().params;
         view.camera_radius_m = params.camera.camera_radius_m;
@@ -243,8 +245,6 @@ void Editor::drawTimeline() {
         view.object_name = [this](int id) { return workspace_.shown().scene->object(id).name; };
         if (const KeptPlan* kept = comparison_.kept()) {
             view.kept_s = planning::durationOf(*kept->trajectory);
-        view.earlier_quality = plan_timeline_.measuredQuality();
-        view.measures_quality = plan_timeline_.qualityPending();
             view.kept_text =
                 fmt::format("{} frames, {:.1f} s", kept->trajectory->frames.size(), view.kept_s);
         }
