@@ -135,7 +135,7 @@ void Editor::refreshScene() {
         if (!selected_.keepIn(plan(), pinnedIn(shown))) dropGizmo();
         if (!chosen && selected_.is(ui::Selection::Kind::PositionPoint)) {
             panels_.preview.shows_selection = true;
-            docks_.select("Selection");
+            docks_.select(panelName(Panel::Selection));
         }
     }
     if (!shown.scene) return;
@@ -190,7 +190,8 @@ bool Editor::frame() {
 }
 
 bool Editor::exportsAtBottom() const {
-    return docks_.isOpen("Export") && docks_.places().sideOf("Export") == DockSide::Bottom;
+    return docks_.isOpen(panelName(Panel::Export)) &&
+           docks_.places().sideOf(panelName(Panel::Export)) == DockSide::Bottom;
 }
 
 void Editor::drawBottomRow(ImVec2 low, ImVec2 size) {
@@ -374,7 +375,7 @@ void Editor::select(ui::Selection selection) {
     panels_.preview.shows_selection = selected_.is(ui::Selection::Kind::PositionPoint);
     if (selected_.is(ui::Selection::Kind::Frame)) goToFrame(selected_.now().index);
     if (!selected_.objects().empty()) panels_.objects.scroll_to = selected_.objects().back();
-    if (!selected_.is(ui::Selection::Kind::None)) docks_.select("Selection");
+    if (!selected_.is(ui::Selection::Kind::None)) docks_.select(panelName(Panel::Selection));
 }
 
 void Editor::selectObject(int object, bool add) {

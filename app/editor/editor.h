@@ -2,6 +2,7 @@
 
 #include "app/editor/export/export_queue.h"
 #include "app/editor/export/folder_check.h"
+#include "app/editor/export/other_projects.h"
 #include "app/editor/files/recent_files.h"
 #include "app/editor/objects/piece_count.h"
 #include "app/editor/objects/remedy_finder.h"
@@ -109,7 +110,7 @@ class Editor {
     // editor_panels.cpp
     /// Draws the tabs of a side, and the panel that is selected there.
     void drawDock(DockSide side);
-    void drawPanel(const std::string& name);
+    void drawPanel(Panel panel);
     void drawStatus();
     void drawDragStatus();
     void drawPlanStatus(const Plan& plan);
@@ -137,7 +138,7 @@ class Editor {
     void resumeExport(int id, const std::vector<ui::ExportJob>& jobs);
     [[nodiscard]] ui::ExportView exportView();
     /// Queues an export of another project with the settings of the form.
-    void addOtherProject(const std::filesystem::path& project);
+    void addOtherProject(const OtherProject& project);
     [[nodiscard]] std::filesystem::path exportFolder() const;
 
     // editor_state.cpp
@@ -169,6 +170,11 @@ class Editor {
     [[nodiscard]] std::optional<Pose> previewPose() const;
 
     // editor_picking.cpp: clicks into the viewport
+    struct PickedPixel {
+        double depth_m = 0.0;                     // of the scene's surface; 0: there is none
+        std::vector<ui::PickedElement> elements;  // of layers, the best first
+    };
+    [[nodiscard]] PickedPixel pick(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] std::vector<ui::Selection> underCursor(const Eigen::Vector2d& pixel);
     /// Selects the first of underCursor(); a second click at the same place selects the next. With
     /// `add`, adds the object or takes it out; with `list`, shows them all to choose from.
@@ -301,6 +307,7 @@ class Editor {
     std::string why_no_export_;
     std::string why_no_folders_;
     FolderCheck export_folder_;
+    OtherProjects other_projects_{&Window::wake};
     RecentFiles recent_{stateFolder() / "thumbnails", &Window::wake};
     const std::string example_ = exampleScene();
     bool has_picture_ = false;  // the viewport has shown the open scene

@@ -114,7 +114,7 @@ void Editor::addFileCommands() {
          [this] { questions_.afterUnsaved([this] { workspace_.close(); }, "before it is closed"); },
          needs_project});
     commands_.add({"file.export", "File", "Export the dataset…", ctrl(GLFW_KEY_E),
-                   [this] { docks_.open("Export"); }, needs_project});
+                   [this] { docks_.open(panelName(Panel::Export)); }, needs_project});
     commands_.add({"file.quit", "File", "Quit", ctrl(GLFW_KEY_Q), [this] {
                        const auto leave = [this] {
                            // The work was saved or deliberately discarded.

@@ -21,7 +21,7 @@ void Editor::addComparisonCommands() {
     const auto needs_kept = [this]() -> std::string {
         return comparison_.kept() != nullptr ? "" : "Keep a plan first.";
     };
-    const auto show = [this] { docks_.open("Metrics"); };
+    const auto show = [this] { docks_.open(panelName(Panel::Metrics)); };
     commands_.add({"plan.keep",
                    "Edit",
                    "Keep this plan to compare with it",
@@ -62,7 +62,7 @@ ui::ComparisonView Editor::comparisonView() {
     ui::ComparisonView view;
     view.why_not_keep = view.why_not_swap = whyPlanNotCurrent();
     if (!workspace_.isOpen()) view.why_not_open = "No scene is open.";
-    view.reading = comparison_.reading();
+    view.reading = comparison_.reading().filename().string();
     const KeptPlan* kept = comparison_.kept();
     if (kept == nullptr) return view;
     view.has_kept = true;
@@ -78,10 +78,16 @@ void Editor::follow(const ui::ComparisonActions& actions) {
     if (actions.open) askForFile("kept plan");
     if (actions.swap) comparison_.swap(workspace_, quality.get());
     if (actions.drop) comparison_.drop();
+    if (actions.cancel_reading) comparison_.cancelReading();
 }
 
 void Editor::followComparison() {
-    quality_.follow(workspace_.shown(), layer_settings_.quality);
+    const PlanOutcome& shown = workspace_.shown();
+    // A measurement that ended before follow() has given its result there, unless it has failed.
+    const bool was_measuring = quality_.state().busy;
+    quality_.follow(shown, layer_settings_.quality);
+    const bool measures = was_measuring || quality_.state().busy || !shown.measured;
+    plan_timeline_.followQuality(quality_.of(shown.plan), layer_settings_.quality && measures);
     probePictures();
     if (workspace_.isOpen()) comparison_.followUndo(workspace_.history().state());
     if (const std::optional<Error> error = comparison_.poll()) {
@@ -148,12 +154,10 @@ void Editor::drawFrameTip() {
     const bool free = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered &&
                       !gizmo_.dragging() && !ImGui::IsAnyMouseDown() && !through_camera_;
     if (!layer_settings_.quality || !quality || !free) return;
-    const ui::ViewImage& image = drawing_.view();
-    if (layers_.layers().plan != shown.plan || !shown.hasObjectsOf(image.geometry)) return;
-    const std::optional<Eigen::Vector3d> surface = ui::surfaceAt(image, pane_.cursor);
-    const double depth_m = surface ? image.view.pose.toCamera(*surface).z() : 0.0;
-    const std::vector<ui::PickedElement> picked =
-        layers_.layers().pick(image.view, pane_.cursor, depth_m, overlayScale());
+    const bool is_current =
+        layers_.layers().plan == shown.plan && shown.hasObjectsOf(drawing_.view().geometry);
+    if (!is_current) return;
+    const std::vector<ui::PickedElement> picked = pick(pane_.cursor).elements;
     const auto pointed = std::ranges::find_if(
         picked, [](const ui::PickedElement& one) { return one.visible && one.on; });
     if (pointed == picked.end() || pointed->tag.kind != ui::Picked::Frame) return;
@@ -169,7 +173,7 @@ void Editor::drawFrameTip() {
 }
 
 nlohmann::json Editor::comparisonJson() const {
-    nlohmann::json json = {{"reading", comparison_.reading()}, {"kept", nullptr}};
+    nlohmann::json json = {{"reading", !comparison_.reading().empty()}, {"kept", nullptr}};
     if (const KeptPlan* kept = comparison_.kept()) {
         json["kept"] = {{"name", kept->name}, {"frames", kept->trajectory->frames.size()}};
     }

@@ -152,7 +152,7 @@ Questions::Callbacks Editor::questionCallbacks() {
     };
     callbacks.continue_exports = [this](const std::vector<int>& jobs) {
         for (const int job : jobs) exports_->resume(job);
-        docks_.open("Export");
+        docks_.open(panelName(Panel::Export));
     };
     callbacks.forget_exports = [this](const std::vector<int>& jobs) {
         for (const int job : jobs) exports_->remove(job);
@@ -176,6 +176,7 @@ void Editor::drawDialogs() {
         if (auto found = exports_->takeFound(); !found.empty()) {
             questions_.offerExports(std::move(found));
         }
+        if (const auto other = other_projects_.take()) addOtherProject(*other);
     }
     if (const std::optional<ui::FileAnswer> answer = files_.draw()) answerFile(*answer);
     drawSheet();
@@ -189,7 +190,7 @@ void Editor::drawDialogs() {
     if (chosen.select_object != 0) selectObject(chosen.select_object, false);
     if (!chosen.focus_parameter.empty()) {
         parameters_.filter = chosen.focus_parameter;
-        docks_.open("Parameters");
+        docks_.open(panelName(Panel::Parameters));
     }
     ui::drawHelpOverlay(commands_, panels_.help);
 }

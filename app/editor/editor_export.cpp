@@ -2,7 +2,6 @@
 #include "app/editor/export/export_folders.h"
 #include "app/editor/export/export_program.h"
 #include "app/editor/files/local_time.h"
-#include "app/project/read_project.h"
 #include "engine/core/log.h"
 #include "engine/io/files/bounded_json.h"
 #include "render/dataset/export_preset.h"
@@ -226,6 +225,7 @@ ui::ExportView Editor::exportView() {
         }
     }
     view.why_no_folder = why_no_folders_;
+    view.reading = other_projects_.reading().filename().string();
     return view;
 }
 
@@ -237,6 +237,7 @@ void Editor::drawExport() {
     if (actions.choose_folder) askForFile("export folder");
     if (actions.choose_rig) askForFile("export rig");
     if (actions.add_files) askForFile("export projects");
+    if (actions.cancel_reading) other_projects_.cancel();
     if (!exports_) return;
     if (actions.add_current && view.why_not.empty()) queueExport(view);
     if (actions.toggle_hold) exports_->hold(!exports_->held());
@@ -308,20 +309,21 @@ void Editor::answerExportFile(const ui::FileAnswer& answer) {
     if (answer.id == "export folder") panels_.export_draft.folder = answer.path.string();
     if (answer.id == "export rig") panels_.export_draft.rig = answer.path.string();
     if (answer.id == "export projects" && exports_) {
-        addOtherProject(answer.path);
+        other_projects_.read(answer.path);
     }
 }
 
-void Editor::addOtherProject(const std::filesystem::path& project) {
-    Result<ProjectContent> content = readProject(project);
-    if (!content) {
-        questions_.tell({true, "The project cannot be exported", describe(content.error()), {}});
+void Editor::addOtherProject(const OtherProject& other) {
+    if (!other.render_mode) {
+        questions_.tell(
+            {true, "The project cannot be exported", describe(other.render_mode.error()), {}});
         return;
     }
+    const std::filesystem::path& project = other.file;
     // What can be written depends on that project's parameters, not on those of the open one.
     const ui::ExportDraft& draft = panels_.export_draft;
     ui::ExportView view = exportView();
-    view.modalities = modalityChoices(content->params.picture.render_mode);
+    view.modalities = modalityChoices(*other.render_mode);
     const std::string left_out = ui::leftOut(view, draft);
     ui::ExportRequest request = ui::requestOf(view, draft);
     if (request.modalities.empty() && !left_out.empty()) {

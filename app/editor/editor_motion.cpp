@@ -115,7 +115,7 @@ void Editor::follow(const ui::MotionActions& actions) {
 
 void Editor::readMotion(const MotionFile& file) {
     if (!workspace_.shown().scene) return;  // closed while the file was chosen
-    docks_.open("By hand");
+    docks_.open(panelName(Panel::ByHand));
     motions_.read(file, workspace_.shown());
 }
 

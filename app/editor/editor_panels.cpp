@@ -19,33 +19,42 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <map>
 #include <numbers>
 
 namespace dollytrack::editor {
 
 using ui::Selection;
 
-void Editor::drawPanel(const std::string& name) {
-    // By the names of standardPlaces().
-    static const std::map<std::string, void (Editor::*)()> kPanels = {
-        {"Objects", &Editor::drawObjects},
-        {"Layers", &Editor::drawLayers},
-        {"By hand", &Editor::drawEdits},
-        {"History", &Editor::drawHistory},
-        {"Parameters", &Editor::drawParameters},
-        {"Selection", &Editor::drawSelection},
-        {"Metrics", &Editor::drawMetrics},
-        {"Timeline", &Editor::drawTimeline},
-        {"Algorithm", &Editor::drawSteps},
-        {"Export", &Editor::drawExport},
-        {"Log", &Editor::drawLog}};
-    (this->*kPanels.at(name))();
+void Editor::drawPanel(Panel panel) {
+    switch (panel) {
+        case Panel::Objects:
+            return drawObjects();
+        case Panel::Layers:
+            return drawLayers();
+        case Panel::ByHand:
+            return drawEdits();
+        case Panel::History:
+            return drawHistory();
+        case Panel::Parameters:
+            return drawParameters();
+        case Panel::Selection:
+            return drawSelection();
+        case Panel::Metrics:
+            return drawMetrics();
+        case Panel::Timeline:
+            return drawTimeline();
+        case Panel::Algorithm:
+            return drawSteps();
+        case Panel::Export:
+            return drawExport();
+        case Panel::Log:
+            return drawLog();
+    }
 }
 
 void Editor::drawDock(DockSide side) {
-    docks_.setBadge("Log", panels_.log.unseenWarnings(log_));
-    docks_.draw(side, [this](const std::string& name) { drawPanel(name); });
+    docks_.setBadge(panelName(Panel::Log), panels_.log.unseenWarnings(log_));
+    docks_.draw(side, [this](const std::string& name) { drawPanel(panelNamed(name)); });
 }
 
 void Editor::drawHistory() {
@@ -225,6 +234,8 @@ void Editor::drawTimeline() {
         view.series = &now->series;
         view.quality = quality_.of(workspace_.shown().plan).get();
         view.earlier = plan_timeline_.measured();
+        view.earlier_quality = plan_timeline_.measuredQuality();
+        view.measures_quality = plan_timeline_.qualityPending();
         view.target_count = now->capture_metrics.objects;
         const planning::PlanParams& params = workspace_.shown().params;
         view.camera_radius_m = params.camera.camera_radius_m;
@@ -290,7 +301,7 @@ void Editor::drawStatus() {
     if (const unsigned unseen = panels_.log.unseenWarnings(log_); unseen > 0) {
         const std::string text = fmt::format("{} warning{}", unseen, unseen == 1 ? "" : "s");
         if (ui::link(text, "status.warnings", "Show the log")) {
-            docks_.open("Log");
+            docks_.open(panelName(Panel::Log));
         }
         ImGui::SameLine();
     }

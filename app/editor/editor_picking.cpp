@@ -75,19 +75,26 @@ std::string namesOf(const Scene& scene, const std::vector<int>& objects) {
 
 }  // namespace
 
+Editor::PickedPixel Editor::pick(const Eigen::Vector2d& pixel) const {
+    const ui::ViewImage& image = drawing_.view();
+    const std::optional<Eigen::Vector3d> surface = ui::surfaceAt(image, pixel);
+    PickedPixel picked;
+    if (surface) picked.depth_m = image.view.pose.toCamera(*surface).z();
+    picked.elements = layers_.layers().pick(image.view, pixel, picked.depth_m, overlayScale());
+    return picked;
+}
+
 /// What a click can select at a pixel, in the order in which repeated clicks do: visible elements
 /// of layers, the object, elements that the pointer just misses, what lies behind.
 std::vector<Selection> Editor::underCursor(const Eigen::Vector2d& pixel) {
     const ui::ViewImage& image = drawing_.view();
     const PlanOutcome& shown = workspace_.shown();
-    const std::optional<Eigen::Vector3d> surface = ui::surfaceAt(image, pixel);
-    const double depth = surface ? image.view.pose.toCamera(*surface).z() : 0.0;
+    const PickedPixel picked = pick(pixel);
     std::vector<Selection> on;
     std::vector<Selection> beside;
     std::vector<Selection> hidden;
     bool has_frame = false;  // of the many frames along a path, the closest is enough
-    for (const ui::PickedElement& element :
-         layers_.layers().pick(image.view, pixel, depth, overlayScale())) {
+    for (const ui::PickedElement& element : picked.elements) {
         const Selection selection = selectionOf(element, layers_.candidateSearch());
         const bool frame = selection.kind == Selection::Kind::Frame;
         if (selection.kind == Selection::Kind::None || (frame && has_frame)) continue;
@@ -105,7 +112,7 @@ std::vector<Selection> Editor::underCursor(const Eigen::Vector2d& pixel) {
         const auto voxel =
             ui::voxelAt(*shown.free_space, image.view, pixel, cellOptions(layer_settings_));
         const double voxel_depth = voxel ? image.view.pose.toCamera(voxel->center).z() : 0.0;
-        if (voxel && (!surface || voxel_depth < depth + 0.1)) {
+        if (voxel && (picked.depth_m == 0.0 || voxel_depth < picked.depth_m + 0.1)) {
             Selection selection;
             selection.kind = Selection::Kind::Voxel;
             selection.place = voxel->center;

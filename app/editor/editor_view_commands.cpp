@@ -138,7 +138,7 @@ void Editor::addHidingCommands() {
                    [this] {
                        clip_.begin(workspace_.shown().scene->room_bounds);
                        clip_.hides_above = !clip_.hides_above;
-                       docks_.open("Layers");
+                       docks_.open(panelName(Panel::Layers));
                    },
                    needs_scene,
                    [this] { return clip_.hides_above; }});
@@ -186,7 +186,7 @@ void Editor::addLayerCommands() {
                    {},
                    [this] {
                        layer_settings_.free_space = layer_settings_.sliced = true;
-                       docks_.open("Layers");
+                       docks_.open(panelName(Panel::Layers));
                    },
                    needs_map});
     layer("points", "Observation and position points", {GLFW_KEY_F3}, layers.points);

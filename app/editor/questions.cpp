@@ -176,10 +176,16 @@ void Questions::drawChangedFile() {
     if (pressed == 2) workspace_.save(file, Workspace::OnConflict::Overwrite);
 }
 
+std::string Questions::unsavedQuestion() const {
+    const std::filesystem::path& project = workspace_.path();
+    if (!project.empty())
+        return fmt::format("Save the changes to {}?", project.filename().string());
+    return fmt::format("Save the plan of {} as a project?",
+                       workspace_.sceneFile().filename().string());
+}
+
 void Questions::drawUnsaved() {
-    const std::string name = workspace_.path().empty() ? workspace_.sceneFile().filename().string()
-                                                       : workspace_.path().filename().string();
-    switch (ui::askUnsaved(name, what_next_)) {
+    switch (ui::askUnsaved(unsavedQuestion(), what_next_)) {
         case ui::UnsavedAnswer::Save:
             saving_ = true;
             callbacks_.save();
@@ -266,7 +272,7 @@ void Questions::drawNotice() {
 }
 
 void Questions::addTo(nlohmann::json& state) const {
-    state["question"] = after_unsaved_ ? what_next_ : std::string();
+    state["question"] = after_unsaved_ ? unsavedQuestion() + " " + what_next_ : std::string();
     state["notice"] =
         notices_.empty() ? std::string() : notices_.front().title + ": " + notices_.front().text;
     nlohmann::json& dialogs = state["dialogs"];

@@ -78,6 +78,7 @@ class Questions {
     };
     [[nodiscard]] bool pending(Kind kind) const;
     void answerUnsaved(bool choosing_file);
+    [[nodiscard]] std::string unsavedQuestion() const;
     void drawRecoveredWork();
     void drawChangedFile();
     void drawUnsaved();

@@ -25,8 +25,6 @@ constexpr double kMostFrames = 1e6;
 // From this round on all segments are slowed down together, which ends the search.
 constexpr int kRoundsBySegment = 100;
 constexpr int kMostRounds = 200;
-// Delays below this many frames are rounding.
-constexpr double kLate = 0.75;
 // A key is reached if the camera is at most this far from it, m.
 constexpr double kReached_m = 1e-3;
 
@@ -224,7 +222,7 @@ class KeyNotes {
             const TrajectoryFrame& frame = frames()[static_cast<std::size_t>(key.frame)];
             key.time_s = frame.time_s;
             const double now_late_s = std::max(0.0, frame.time_s - keys_[i].time_s);
-            const bool later = now_late_s > late_s + kLate * interval_s_;
+            const bool later = isLate(now_late_s - late_s, interval_s_);
             late_s = now_late_s;
             if (!check_.isFree(keys_[i].pose.position)) {
                 key.note = collisionNote(i, frame);

@@ -20,6 +20,11 @@ Result<std::vector<double>> keyTimes(std::span<const MotionKey> keys, const Moti
                                      double interval_s, const JobContext& job,
                                      std::size_t most_frames = kMostMotionFrames);
 
+/// Whether a camera passes a key late; shorter delays come from rounding to frames.
+[[nodiscard]] constexpr bool isLate(double delay_s, double frame_interval_s) {
+    return delay_s > 0.75 * frame_interval_s;
+}
+
 struct KeyMotion {
     Trajectory trajectory;
     std::vector<PassedKey> passed;  // one for each key

@@ -18,6 +18,7 @@ struct Section {
                             done.open |= now.open;
                             done.swap |= now.swap;
                             done.drop |= now.drop;
+                            done.cancel_reading |= now.cancel_reading;
                         },
                         330, 700};
 };
@@ -39,6 +40,19 @@ TEST(ComparisonSection, OffersToKeepAPlanFirst) {
     EXPECT_FALSE(section.screen.enabled("comparison.keep"));
     section.screen.click("comparison.keep");
     EXPECT_FALSE(section.done.keep);
+}
+
+TEST(ComparisonSection, TheReadingOfAProjectCanBeCancelled) {
+    Section section;
+    section.screen.frame(2);
+    EXPECT_FALSE(section.screen.shows("comparison.cancel_reading"));
+    section.view.reading = "a project whose name is too long for the panel to show it.dolly";
+    section.screen.frame();
+    const auto cancel = section.screen.find("comparison.cancel_reading");
+    ASSERT_TRUE(cancel) << section.screen.names();
+    EXPECT_LE(cancel->right, 330.0F);
+    ASSERT_TRUE(section.screen.click("comparison.cancel_reading"));
+    EXPECT_TRUE(section.done.cancel_reading);
 }
 
 TEST(ComparisonSection, ListsTheMetricsOfBothPlans) {

@@ -51,7 +51,9 @@ TEST(MessageBox, UnsavedChangesHaveThreeAnswers) {
                                          std::pair{"message.cancel", UnsavedAnswer::Cancel}}) {
         UnsavedAnswer answer = UnsavedAnswer::None;
         test::Screen screen([&answer] {
-            if (answer == UnsavedAnswer::None) answer = askUnsaved("room", "before it is closed");
+            if (answer == UnsavedAnswer::None) {
+                answer = askUnsaved("Save the changes to room.dolly?", "before it is closed");
+            }
         });
         ASSERT_TRUE(screen.click(name)) << screen.names();
         EXPECT_EQ(answer, expected) << name;

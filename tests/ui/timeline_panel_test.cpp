@@ -296,6 +296,44 @@ TEST(TimelinePanel, ShowsOverlapAndImageCornersOfAMeasuredQuality) {
     EXPECT_TRUE(screen.enabled("timeline.strip.overlap"));
 }
 
+// The strips must neither vanish nor move until the new values arrive.
+TEST(TimelinePanel, KeepsTheStripsOfAQualityThatIsMeasuredAgain) {
+    Timeline timeline(300);
+    FrameQuality quality;
+    quality.image_corners.assign(200, 90.0);  // of an earlier plan with 200 frames
+    quality.overlap.assign(200, 0.875);
+    const auto shows = [&](TimelineStrip strip) {
+        return isShown(timeline.view, timeline.state, strip);
+    };
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    const auto axisBottom = [&] {
+        screen.frame(2);
+        return screen.find("timeline.axis")->bottom;
+    };
+    const float without = axisBottom();
+    for (const bool has_earlier : {true, false}) {
+        timeline.view.earlier_quality = has_earlier ? &quality : nullptr;
+        timeline.view.measures_quality = true;
+        for (const TimelineStrip strip : {TimelineStrip::Overlap, TimelineStrip::ImageCorners}) {
+            EXPECT_TRUE(shows(strip)) << has_earlier;
+            EXPECT_FALSE(hasValues(timeline.view, strip)) << has_earlier;
+        }
+        EXPECT_TRUE(hasValues(timeline.view, TimelineStrip::Speed));
+        const float waiting = axisBottom();
+        EXPECT_GT(waiting, without) << "six rows instead of four";
+        FrameQuality now;
+        now.image_corners.assign(300, 70.0);
+        now.overlap.assign(300, 0.5);
+        timeline.view.quality = &now;
+        timeline.view.measures_quality = false;
+        EXPECT_TRUE(shows(TimelineStrip::Overlap));
+        EXPECT_EQ(stripText(timeline.view, TimelineStrip::Overlap, 299), "0.50");
+        EXPECT_EQ(axisBottom(), waiting);
+        timeline.view.quality = nullptr;
+    }
+    EXPECT_FALSE(shows(TimelineStrip::Overlap)) << "the measurement has failed";
+}
+
 TEST(TimelinePanel, ShowsTheLengthOfTheKeptPlanOnTheSameAxis) {
     Timeline timeline(300);
     test::Screen screen([&] { timeline.draw(); }, 1280, 300);

@@ -1,6 +1,7 @@
 #include "ui/overlays/free_space_overlay.h"
 
 #include "ui/overlays/palette.h"
+#include "ui/overlays/picking.h"
 
 #include <fmt/format.h>
 
@@ -292,19 +293,8 @@ std::optional<Voxel> voxelAt(const FreeSpace& free_space, const render::View& vi
     }
     if (view.clip_box) region = region.intersection(*view.clip_box);
     const render::ViewRay ray = view.rayThrough(pixel.x(), pixel.y());
-    double enter = view.near_m;
-    double leave = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3; ++k) {
-        if (ray.direction[k] == 0.0) {
-            const bool outside = ray.origin[k] < region.min()[k] || ray.origin[k] > region.max()[k];
-            if (outside) return std::nullopt;
-            continue;
-        }
-        const double a = (region.min()[k] - ray.origin[k]) / ray.direction[k];
-        const double b = (region.max()[k] - ray.origin[k]) / ray.direction[k];
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
-    }
+    const auto [enter, leave] = partInBox(region, ray.origin, ray.direction,
+                                          {view.near_m, std::numeric_limits<double>::infinity()});
     // Steps along the ray from cell to cell, just past each cell border.
     const double nudge = 1e-6 * cell_m / ray.direction.norm();
     for (double t = enter + nudge; t < leave;) {

@@ -1,7 +1,5 @@
 #include "ui/overlays/picking.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,28 +13,6 @@ namespace {
 constexpr double kBias = 0.01;
 constexpr double kOrthographicBias = 0.02;  // m
 constexpr double kMiss_px = 2.0;            // tolerated by PickedElement::on
-
-/// A range of a line's parameter; empty if first > last.
-struct Range {
-    double first = 0.0;
-    double last = 0.0;
-};
-
-/// The part of a range of a line, origin + t * way, that lies in a box.
-Range within(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& origin,
-             const Eigen::Vector3d& way, Range range) {
-    for (int k = 0; k < 3; ++k) {
-        if (way[k] == 0.0) {
-            if (origin[k] < box.min()[k] || origin[k] > box.max()[k]) return {1.0, 0.0};
-            continue;
-        }
-        const double s = (box.min()[k] - origin[k]) / way[k];
-        const double t = (box.max()[k] - origin[k]) / way[k];
-        range.first = std::max(range.first, std::min(s, t));
-        range.last = std::min(range.last, std::max(s, t));
-    }
-    return range;
-}
 
 class Picker {
   public:
@@ -61,7 +37,7 @@ class Picker {
     void line(const render::OverlayLine& line) {
         if (line.tag == render::kNoTag) return;
         const Eigen::Vector3d along = line.b - line.a;
-        const Range shown = insideClip(line.a, along, {0.0, 1.0});
+        const LineRange shown = insideClip(line.a, along, {0.0, 1.0});
         if (shown.first > shown.last) return;
         Eigen::Vector3d a = view_.pose.toCamera(line.a + shown.first * along);
         Eigen::Vector3d b = view_.pose.toCamera(line.a + shown.last * along);
@@ -87,8 +63,8 @@ class Picker {
         const Eigen::Vector3d origin = turn * (ray.origin - box.center);
         const Eigen::Vector3d way = turn * ray.direction;
         const Eigen::AlignedBox3d own(-box.half_size, box.half_size);
-        Range range = {view_.near_m, std::numeric_limits<double>::infinity()};
-        range = insideClip(ray.origin, ray.direction, within(own, origin, way, range));
+        LineRange range = {view_.near_m, std::numeric_limits<double>::infinity()};
+        range = insideClip(ray.origin, ray.direction, partInBox(own, origin, way, range));
         if (range.first <= range.last) offer(box.tag, Drawn::Box, 0.0, range.first);
     }
 
@@ -101,10 +77,10 @@ class Picker {
     }
 
   private:
-    /// The part of a range of a line, origin + t * way, that the clipping box shows.
-    [[nodiscard]] Range insideClip(const Eigen::Vector3d& origin, const Eigen::Vector3d& way,
-                                   const Range& range) const {
-        return view_.clip_box ? within(*view_.clip_box, origin, way, range) : range;
+    /// The part of a range of a line that the clipping box shows.
+    [[nodiscard]] LineRange insideClip(const Eigen::Vector3d& origin, const Eigen::Vector3d& way,
+                                       const LineRange& range) const {
+        return view_.clip_box ? partInBox(*view_.clip_box, origin, way, range) : range;
     }
 
     [[nodiscard]] Eigen::Vector3d cutNear(const Eigen::Vector3d& inside,
@@ -150,6 +126,23 @@ std::optional<PickedElement> pickElement(const render::Overlay& overlay, const r
     const std::vector<PickedElement> all =
         pickElements(overlay, view, pixel, scene_depth_m, radius_px, pixel_scale);
     return all.empty() ? std::nullopt : std::optional(all.front());
+}
+
+LineRange partInBox(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& origin,
+                    const Eigen::Vector3d& direction, LineRange range) {
+    constexpr LineRange kEmpty = {1.0, 0.0};
+    if (box.isEmpty()) return kEmpty;
+    for (int k = 0; k < 3; ++k) {
+        if (direction[k] == 0.0) {
+            if (origin[k] < box.min()[k] || origin[k] > box.max()[k]) return kEmpty;
+            continue;
+        }
+        const double s = (box.min()[k] - origin[k]) / direction[k];
+        const double t = (box.max()[k] - origin[k]) / direction[k];
+        range.first = std::max(range.first, std::min(s, t));
+        range.last = std::min(range.last, std::max(s, t));
+    }
+    return range;
 }
 
 bool isBetterPick(const PickedElement& a, const PickedElement& b) {

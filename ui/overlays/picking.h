@@ -4,6 +4,8 @@
 #include "render/view/view.h"
 #include "ui/overlays/pick_tag.h"
 
+#include <Eigen/Geometry>
+
 #include <optional>
 #include <vector>
 
@@ -39,5 +41,15 @@ struct PickedElement {
 /// pointer over those beside it, marks over lines over boxes, then the smaller distance in
 /// the image, then the smaller depth.
 [[nodiscard]] bool isBetterPick(const PickedElement& a, const PickedElement& b);
+
+/// A range of the parameter t of a line, origin + t * direction; empty if first > last.
+struct LineRange {
+    double first = 0.0;
+    double last = 0.0;
+};
+
+/// The part of a range of a line that lies in a box, which may be empty.
+[[nodiscard]] LineRange partInBox(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& origin,
+                                  const Eigen::Vector3d& direction, LineRange range);
 
 }  // namespace dollytrack::ui

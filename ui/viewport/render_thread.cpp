@@ -10,6 +10,7 @@
 #include "ui/viewport/image_relay.h"
 #include "ui/viewport/layer_cache.h"
 #include "ui/viewport/plain_light.h"
+#include "ui/viewport/probe_queue.h"
 #include "ui/viewport/view_canvas.h"
 
 #include <algorithm>
@@ -40,8 +41,7 @@ struct RenderThread::Impl {
     std::optional<SceneRequest> next_scene;
     std::optional<ViewRequest> next_view;
     std::optional<PreviewRequest> next_preview;
-    std::shared_ptr<const Views> probe_views;           // null: none are wanted
-    std::vector<render::PictureQuality> probe_classes;  // of the first of these views
+    ProbeQueue probes;
     ImageRelay<ViewImage> views;
     ImageRelay<PreviewImage> previews;
     std::string error;
@@ -59,13 +59,11 @@ struct RenderThread::Impl {
     std::optional<render::SceneRenderer> renderer;
     std::vector<MovedObject> moved;  // how `renderer` has placed objects
     int anisotropy = 0;
-    bool plain = false;         // the renderer has no textures yet: they follow the first image
-    bool stays_plain = false;   // they did not fit into memory
-    bool cannot_probe = false;  // no renderer, or one without textures; guarded by `mutex`
+    bool plain = false;        // the renderer has no textures yet: they follow the first image
+    bool stays_plain = false;  // they did not fit into memory
     ViewCanvas whole;
     ViewCanvas coarse;
     std::optional<render::RenderTarget> preview_target;
-    std::optional<render::RenderTarget> probe_target;
     std::optional<render::OverlayRenderer> overlays;
     LayerCache layers;
     std::uint64_t serial = 0;
@@ -100,10 +98,9 @@ struct RenderThread::Impl {
     /// Whether a probe can be drawn now: with all textures, and with every object where the scene
     /// has it. Requires a locked mutex.
     [[nodiscard]] bool probeIsDue() const {
-        return final_light && !plain && !cannot_probe && moved.empty() && !next_scene &&
-               probe_views && probe_classes.size() < probe_views->size();
+        return final_light && !plain && moved.empty() && !next_scene && probes.isWaiting();
     }
-    /// Draws and classifies the next probe.
+    /// Draws and classifies the next probe, if one is due.
     void drawProbe();
     void say(const Status& status) {
         if (status) return;
@@ -156,7 +153,7 @@ void RenderThread::Impl::loop() {
         }
         wake();
         lock.lock();
-        cannot_probe = !current || (scene && (!renderer || stays_plain));
+        probes.setDrawable(current && (!scene || (renderer && !stays_plain)));
     }
     lock.unlock();
     release();
@@ -167,7 +164,7 @@ void RenderThread::Impl::release() {
     whole = {};
     coarse = {};
     preview_target.reset();
-    probe_target.reset();
+    probes.release();
     layers.entries.clear();
     overlays.reset();
     context.reset();
@@ -353,36 +350,18 @@ Status RenderThread::Impl::drawPreview(const PreviewRequest& request) {
 }
 
 void RenderThread::Impl::drawProbe() {
-    constexpr std::size_t kWakesEvery = 16;  // probes: to show the progress
     std::unique_lock lock(mutex);
     if (!probeIsDue()) return;
-    const std::shared_ptr<const Views> wanted = probe_views;
-    const std::size_t index = probe_classes.size();
+    const ProbeQueue::Probe probe = probes.next();
     lock.unlock();
-    const render::View& view = (*wanted)[index];
-    Status status = renderer ? fitTarget(probe_target, view.intrinsics)
-                             : fail(ErrorCode::NoOpenGl, "There is no scene to draw.");
-    if (status) status = renderer->draw(view, *probe_target);
-    std::vector<std::uint8_t> rgb;
-    if (status) {
-        probe_target->readRgb(rgb);
-        status = gl::checkErrors("drawing a small image");
-    }
-    const render::PictureQuality quality =
-        status ? render::pictureQuality(probe_target->width(), probe_target->height(), rgb)
-               : render::PictureQuality{};
+    const Result<render::PictureQuality> quality =
+        renderer ? probes.draw((*probe.views)[probe.index], *renderer)
+                 : fail(ErrorCode::NoOpenGl, "There is no scene to draw.");
     lock.lock();
-    if (!status) {
-        error = status.error().message;
-        probe_views.reset();
-        lock.unlock();
-        wake();
-        return;
-    }
-    // Another scene or request may have arrived meanwhile.
-    if (next_scene || probe_views != wanted || probe_classes.size() != index) return;
-    probe_classes.push_back(quality);
-    const bool shows = index + 1 == wanted->size() || index % kWakesEvery == 0;
+    if (!quality) error = quality.error().message;
+    // The image shows another scene than the one that may have arrived meanwhile.
+    if (quality && next_scene) return;
+    const bool shows = probes.finish(probe, quality);
     lock.unlock();
     if (shows) wake();
 }
@@ -410,8 +389,7 @@ void RenderThread::setScene(SceneRequest request) {
         // Pending requests belong to the previous scene.
         impl_->next_view.reset();
         impl_->next_preview.reset();
-        impl_->probe_classes.clear();
-        impl_->cannot_probe = false;
+        impl_->probes.restart();
     }
     impl_->asked_view.reset();
     impl_->asked_preview.reset();
@@ -450,26 +428,24 @@ void RenderThread::requestPreview(const render::View& view, int frame, double ti
 void RenderThread::requestProbes(std::shared_ptr<const Views> views) {
     {
         const std::lock_guard lock(impl_->mutex);
-        if (impl_->probe_views == views) return;
-        impl_->probe_views = std::move(views);
-        impl_->probe_classes.clear();
+        if (!impl_->probes.request(std::move(views))) return;
     }
     impl_->arrived.notify_one();
 }
 
 std::vector<render::PictureQuality> RenderThread::probes() const {
     const std::lock_guard lock(impl_->mutex);
-    return impl_->probe_classes;
+    return impl_->probes.classes();
 }
 
 std::size_t RenderThread::probesDone() const {
     const std::lock_guard lock(impl_->mutex);
-    return impl_->probe_classes.size();
+    return impl_->probes.classes().size();
 }
 
 bool RenderThread::probing() const {
     const std::lock_guard lock(impl_->mutex);
-    return impl_->probe_views != nullptr && !impl_->cannot_probe;
+    return impl_->probes.isActive();
 }
 
 void RenderThread::takeNews() {

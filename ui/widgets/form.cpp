@@ -128,6 +128,17 @@ bool button(const char* label, std::string_view name, const ButtonOptions& optio
     return pressed;
 }
 
+bool drawReading(const std::string& file, std::string_view name) {
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("Cancel").x -
+                       2 * ImGui::GetStyle().FramePadding.x - ImGui::GetStyle().ItemSpacing.x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled(
+        "%s",
+        cutToWidth("reading " + file + " \u2026", std::max(room, scaled(60)), Cut::Middle).c_str());
+    ImGui::SameLine();
+    return button("Cancel", name, {.tip = "Stop waiting for this file"});
+}
+
 bool link(const std::string& text, std::string_view name, const std::string& tip) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().accent);
     ImGui::PushID(name.data(), name.data() + name.size());

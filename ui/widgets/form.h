@@ -42,6 +42,9 @@ struct ButtonOptions {
 };
 /// A button called `name` in the item map; returns whether it was pressed.
 bool button(const char* label, std::string_view name, const ButtonOptions& options = {});
+/// Draws "reading NAME …" and a Cancel button called `name` in the item map; returns whether it was
+/// pressed.
+bool drawReading(const std::string& file, std::string_view name);
 /// Draws a clickable text, such as "go to frame 12"; returns whether it was clicked.
 bool link(const std::string& text, std::string_view name, const std::string& tip = {});
 

@@ -112,11 +112,12 @@ int drawMessageBox(const MessageBox& box) {
     return pressed;
 }
 
-UnsavedAnswer askUnsaved(const std::string& project, const std::string& what_next) {
-    const int pressed = drawMessageBox({false,
-                                        "Save the changes to " + project + "?",
-                                        "They are lost if you do not save them " + what_next + ".",
-                                        {"Save", "Don't save", "Cancel"}});
+UnsavedAnswer askUnsaved(const std::string& question, const std::string& what_next) {
+    const int pressed =
+        drawMessageBox({false,
+                        question,
+                        "Your changes are lost if you do not save them " + what_next + ".",
+                        {"Save", "Don't save", "Cancel"}});
     switch (pressed) {
         case 0:
             return UnsavedAnswer::Save;

@@ -20,8 +20,8 @@ int drawMessageBox(const MessageBox& box);
 
 enum class UnsavedAnswer { None, Save, Discard, Cancel };
 
-/// Asks whether to save unsaved changes. `what_next` completes "They are lost if you do not save
-/// them ...", such as "before it is closed".
-UnsavedAnswer askUnsaved(const std::string& project, const std::string& what_next);
+/// Asks whether to save unsaved changes. `question` says what would be saved; `what_next` completes
+/// "Your changes are lost if you do not save them ...", such as "before it is closed".
+UnsavedAnswer askUnsaved(const std::string& question, const std::string& what_next);
 
 }  // namespace dollytrack::ui

@@ -65,16 +65,21 @@ Result<KeptPlan> readPlan(const std::filesystem::path& path, const WantedScene& 
 
 }  // namespace
 
-void PlanComparison::keep(const Workspace& workspace, const FrameQuality* quality) {
+void PlanComparison::forgetQuestion() {
     ++question_;
+    reading_.clear();
+}
+
+void PlanComparison::keep(const Workspace& workspace, const FrameQuality* quality) {
+    forgetQuestion();
     kept_ = currentPlan(workspace, quality);
     forgetSwaps();
     metrics_of_.reset();
 }
 
 void PlanComparison::read(const std::filesystem::path& project, const Workspace& workspace) {
-    asked_ = ++question_;
-    worker_.start([question = asked_, project, latest = answers_,
+    reading_ = project;
+    worker_.start([question = ++question_, project, latest = answers_,
                    wanted = WantedScene{workspace.importedScene().source_sha256,
                                         workspace.importSettings()}](const JobContext&) {
         try {
@@ -86,7 +91,7 @@ void PlanComparison::read(const std::filesystem::path& project, const Workspace&
 }
 
 void PlanComparison::swap(Workspace& workspace, const FrameQuality* quality) {
-    ++question_;
+    forgetQuestion();
     KeptPlan current = currentPlan(workspace, quality);
     if (swapped_ && *swapped_->state == *current.state) current.name = swapped_->name;
     workspace.setState(*kept_->state, "Swap with " + kept_->name);
@@ -114,7 +119,7 @@ void PlanComparison::forgetSwaps() {
 }
 
 void PlanComparison::drop() {
-    ++question_;
+    forgetQuestion();
     kept_.reset();
     forgetSwaps();
     metrics_.clear();
@@ -124,6 +129,7 @@ void PlanComparison::drop() {
 std::optional<Error> PlanComparison::poll() {
     std::optional<Answer> answer = answers_->take();
     if (!answer || answer->question != question_) return std::nullopt;
+    reading_.clear();
     if (!answer->plan) return answer->plan.error();
     kept_ = std::move(*answer->plan);
     forgetSwaps();

@@ -44,13 +44,16 @@ class PlanComparison {
     [[nodiscard]] std::optional<Error> poll();
 
     [[nodiscard]] const KeptPlan* kept() const { return kept_ ? &*kept_ : nullptr; }
-    [[nodiscard]] bool reading() const { return worker_.state().busy && asked_ == question_; }
+    /// The project that read() is reading; empty: none.
+    [[nodiscard]] const std::filesystem::path& reading() const { return reading_; }
+    void cancelReading() { forgetQuestion(); }
     /// The metrics of both plans; empty while the shown plan is not measured.
     [[nodiscard]] const std::vector<planning::ComparedMetric>& metrics(
         const PlanOutcome& shown, const std::shared_ptr<const FrameQuality>& quality);
 
   private:
     void forgetSwaps();
+    void forgetQuestion();
 
     struct Answer {
         std::uint64_t question = 0;
@@ -65,7 +68,7 @@ class PlanComparison {
     std::shared_ptr<const Plan> metrics_of_;  // null: to be computed
     std::shared_ptr<const FrameQuality> metrics_quality_;
     std::uint64_t question_ = 0;
-    std::uint64_t asked_ = 0;  // the last question that read() asked
+    std::filesystem::path reading_;  // of that question; empty: it is answered
     std::shared_ptr<LatestValue<Answer>> answers_ = std::make_shared<LatestValue<Answer>>();
     BackgroundWorker worker_;
 };

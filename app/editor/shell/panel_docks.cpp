@@ -93,7 +93,7 @@ void PanelDocks::drawPlaces(const std::string& panel) {
         }
         ui::nameItem(fmt::format("place.{}", sideName(side)));
     }
-    if (ImGui::MenuItem("Hidden", nullptr, !now, now.has_value())) {
+    if (ImGui::MenuItem("Hide", nullptr, !now, now.has_value())) {
         wanted_places_ = places_;
         wanted_places_->hide(panel);
     }
@@ -117,7 +117,8 @@ void PanelDocks::draw(DockSide side, const std::function<void(const std::string&
     const ImVec2 size = ImGui::GetWindowSize();
     sides_[indexOf(side)] = Rectangle{at, {at.x + size.x, at.y + size.y}};
     TabRow& row = rows_[indexOf(side)];
-    if (!row.beginRow(fmt::format("{} {}", sideName(side), row_ids_[indexOf(side)]).c_str())) return;
+    if (!row.beginRow(fmt::format("{} {}", sideName(side), row_ids_[indexOf(side)]).c_str()))
+        return;
     bool opens_menu = false;
     for (const std::string& panel : places_.at(side)) {
         const bool shown = row.begin(panel.c_str(), badges_[panel]);

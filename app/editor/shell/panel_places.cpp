@@ -4,6 +4,40 @@
 #include <cstddef>
 
 namespace dollytrack::editor {
+namespace {
+
+struct StandardPlace {
+    Panel panel;
+    std::string name;
+    DockSide side;
+};
+
+/// All panels, in the order of Panel, which is that of their tabs.
+const std::vector<StandardPlace>& panels() {
+    static const std::vector<StandardPlace> kPanels = {
+        {Panel::Objects, "Objects", DockSide::Left},
+        {Panel::Layers, "Layers", DockSide::Left},
+        {Panel::ByHand, "By hand", DockSide::Left},
+        {Panel::History, "History", DockSide::Left},
+        {Panel::Parameters, "Parameters", DockSide::Right},
+        {Panel::Selection, "Selection", DockSide::Right},
+        {Panel::Metrics, "Metrics", DockSide::Right},
+        {Panel::Timeline, "Timeline", DockSide::Bottom},
+        {Panel::Algorithm, "Algorithm", DockSide::Bottom},
+        {Panel::Export, "Export", DockSide::Bottom},
+        {Panel::Log, "Log", DockSide::Bottom}};
+    return kPanels;
+}
+
+}  // namespace
+
+const std::string& panelName(Panel panel) {
+    return panels().at(static_cast<std::size_t>(panel)).name;
+}
+
+Panel panelNamed(std::string_view name) {
+    return std::ranges::find(panels(), name, &StandardPlace::name)->panel;
+}
 
 std::string_view sideName(DockSide side) {
     constexpr std::array<std::string_view, kDockSides.size()> kNames = {"left", "right", "bottom"};
@@ -54,9 +88,7 @@ void PanelPlaces::reveal(const std::string& panel) {
 const PanelPlaces& standardPlaces() {
     static const PanelPlaces kPlaces = [] {
         PanelPlaces places;
-        places.tabs = {{{"Objects", "Layers", "By hand", "History"},
-                        {"Parameters", "Selection", "Metrics"},
-                        {"Timeline", "Algorithm", "Export", "Log"}}};
+        for (const StandardPlace& place : panels()) places.dock(place.name, place.side);
         return places;
     }();
     return kPlaces;

@@ -15,6 +15,24 @@ inline constexpr std::array<DockSide, 3> kDockSides = {DockSide::Left, DockSide:
 /// As settings files and messages name them: "left", "right", "bottom".
 [[nodiscard]] std::string_view sideName(DockSide side);
 
+enum class Panel {
+    Objects,
+    Layers,
+    ByHand,
+    History,
+    Parameters,
+    Selection,
+    Metrics,
+    Timeline,
+    Algorithm,
+    Export,
+    Log
+};
+/// The title of the panel's tab, and its name in settings files: "By hand".
+[[nodiscard]] const std::string& panelName(Panel panel);
+/// The panel with this name, which must be one of panelName().
+[[nodiscard]] Panel panelNamed(std::string_view name);
+
 /// On which side each panel is docked, by the panels' names. The panels of a side are tabs, in this
 /// order.
 struct PanelPlaces {

@@ -13,6 +13,7 @@ bool PlanTimeline::follow(const Scene* scene, std::shared_ptr<const Plan> plan) 
     const bool is_measured =
         seen_ != nullptr && seen_->series.size() == seen_->trajectory.frames.size();
     if (seen_ == nullptr || is_measured) measured_ = seen_;
+    if (seen_ == nullptr) quality_.reset();
     times_s_.clear();
     if (seen_ != nullptr) {
         for (const TrajectoryFrame& frame : seen_->trajectory.frames) {
@@ -26,6 +27,11 @@ bool PlanTimeline::follow(const Scene* scene, std::shared_ptr<const Plan> plan) 
         bands_ = ui::timelineBands(*seen_);
     }
     return true;
+}
+
+void PlanTimeline::followQuality(std::shared_ptr<const FrameQuality> quality, bool pending) {
+    if (quality || !pending) quality_ = std::move(quality);
+    quality_pending_ = pending;
 }
 
 }  // namespace dollytrack::editor

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace dollytrack::ui::picking_test {
 namespace {
 
@@ -28,6 +30,28 @@ TEST(PickTag, KeepsKindAndIndex) {
         EXPECT_EQ(fromTag(toTag(Picked::Candidate, index)), (PickTag{Picked::Candidate, index}));
     }
     EXPECT_EQ(fromTag(render::kNoTag).kind, Picked::Nothing);
+}
+
+TEST(PartInBox, IsWhereThePointsOfTheLineAreInside) {
+    const Eigen::AlignedBox3d box(Eigen::Vector3d(-1, 0, 2), Eigen::Vector3d(1, 3, 4));
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-5.0, 5.0);
+    std::uniform_int_distribution<int> zero(0, 3);
+    int hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Eigen::Vector3d origin(place(random), place(random), place(random));
+        Eigen::Vector3d direction(place(random), place(random), place(random));
+        if (zero(random) == 0) direction[i % 3] = 0.0;
+        const LineRange part = partInBox(box, origin, direction, {-0.5, 2.0});
+        if (part.first <= part.last) ++hits;
+        for (double t = -1.0; t < 2.5; t += 0.0137) {
+            const bool inside = t >= -0.5 && t <= 2.0 && box.contains(origin + t * direction);
+            ASSERT_EQ(inside, t >= part.first && t <= part.last) << "line " << i << " at " << t;
+        }
+    }
+    EXPECT_GT(hits, 100);
+    const LineRange none = partInBox(Eigen::AlignedBox3d(), {0, 0, 0}, {1, 0, 0}, {0.0, 9.0});
+    EXPECT_GT(none.first, none.last);
 }
 
 TEST(PickElement, TakesTheNearestWithinReach) {

@@ -1,5 +1,6 @@
 #include "ui/panels/edits/motion_section.h"
 
+#include "planning/motions/key_motion.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
 #include "ui/widgets/fields/choice_combo.h"
@@ -105,7 +106,8 @@ void drawKeys(const MotionView& view, MotionActions& actions) {
     }
     if (checked && std::ranges::any_of(view.plan->passed_keys, [&](const PassedKey& passed) {
             const auto i = static_cast<std::size_t>(&passed - view.plan->passed_keys.data());
-            return passed.time_s > keys[i].time_s + view.plan->trajectory.frame_interval_s;
+            return planning::isLate(passed.time_s - keys[i].time_s,
+                                    view.plan->trajectory.frame_interval_s);
         })) {
         if (button("Set reachable times", "edits.motion.fit_keys",
                    {.tip = "Each key gets the time at which the camera reaches it"})) {

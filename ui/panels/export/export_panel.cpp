@@ -246,6 +246,10 @@ void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions&
                             draft.folder.empty() ? "its project" : "this one")})) {
         actions.add_files = true;
     }
+    if (!view.reading.empty()) {
+        flowTo(("reading " + view.reading + " \u2026  Cancel").c_str());
+        actions.cancel_reading = drawReading(view.reading, "export.cancel_reading");
+    }
     const auto running = std::ranges::find_if(view.jobs, &ExportJob::active);
     if (running == view.jobs.end()) {
         const std::string summary = summaryOf(view, draft);

@@ -47,6 +47,7 @@ struct ExportView {
     std::vector<ExportPresetChoice> presets;  // the first is the default selection
     std::vector<ExportJob> jobs;              // in the queue's order
     bool held = false;                        // no waiting job is started
+    std::string reading;        // name of another project that is being read; empty: none
     std::string why_no_folder;  // why folders cannot be opened in a file manager; empty: they can
 };
 
@@ -86,10 +87,11 @@ struct ExportDraft {
 struct ExportActions {
     bool choose_folder = false;
     bool choose_rig = false;
-    std::string edited;        // name of the changed parameter; empty: none
-    bool finished = false;     // the edit is complete and becomes one undo step
-    bool add_current = false;  // add requestOf(view, state) to the queue
-    bool add_files = false;    // choose other projects to export with these settings
+    std::string edited;           // name of the changed parameter; empty: none
+    bool finished = false;        // the edit is complete and becomes one undo step
+    bool add_current = false;     // add requestOf(view, state) to the queue
+    bool add_files = false;       // choose other projects to export with these settings
+    bool cancel_reading = false;  // of other projects
     bool toggle_hold = false;
     int cancel = 0;
     int resume = 0;

@@ -89,7 +89,9 @@ ComparisonActions drawComparison(const ComparisonView& view) {
         flowTo("Drop");
         actions.drop = button("Drop", "comparison.drop", {{}, "End the comparison"});
     }
-    if (view.reading) ImGui::TextDisabled("reading \u2026");
+    if (!view.reading.empty()) {
+        actions.cancel_reading = drawReading(view.reading, "comparison.cancel_reading");
+    }
     if (!view.has_kept) return actions;
     const std::string names = "A: current plan, B: " + view.kept_name;
     cutText(names, palette().text_dim, names);

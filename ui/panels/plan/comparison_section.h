@@ -16,7 +16,7 @@ struct ComparisonView {
     std::string why_not_keep;  // why the current plan cannot be kept; or empty
     std::string why_not_swap;
     std::string why_not_open;  // why no other project can be opened as B; or empty
-    bool reading = false;      // another project is being read
+    std::string reading;       // name of the project that is being read as B; empty: none
 };
 
 struct ComparisonActions {
@@ -24,6 +24,7 @@ struct ComparisonActions {
     bool open = false;  // choose another project of this scene, whose plan becomes B
     bool swap = false;
     bool drop = false;
+    bool cancel_reading = false;
 };
 
 /// Draws the buttons and, while a plan is kept, a table of both plans' metrics. Those that are

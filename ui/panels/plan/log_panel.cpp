@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <vector>
+#include <utility>
 
 namespace dollytrack::ui {
 namespace {
@@ -45,18 +45,90 @@ void continueLine(float width) {
     }
 }
 
-/// One message, wrapped to the width of the panel.
+float messageColumn() {
+    return scaled(150);
+}
+
+/// Takes the records that pass the filters if log or filters have changed; returns whether the log
+/// has.
+bool follow(LogRows& rows, const LogBuffer& buffer, const LogPanelState& state) {
+    const unsigned version = buffer.version();
+    const bool changed = rows.version != version;
+    if (!changed && rows.filter == state.filter && rows.least_level == state.least_level) {
+        return false;
+    }
+    rows.version = version;
+    rows.filter = state.filter;
+    rows.least_level = state.least_level;
+    std::deque<log::Record> all = buffer.records();
+    rows.all = all.size();
+    rows.records.clear();
+    for (log::Record& record : all) {
+        if (matches(record, state)) rows.records.push_back(std::move(record));
+    }
+    rows.bottoms.clear();
+    return changed;
+}
+
+/// Measures the messages, wrapped to the width of the current window.
+void layOut(LogRows& rows) {
+    const float width = std::max(ImGui::GetContentRegionAvail().x - messageColumn(), 1.0F);
+    const float font_size = ImGui::GetFontSize();
+    if (rows.bottoms.size() == rows.records.size() && rows.width == width &&
+        rows.font_size == font_size) {
+        return;
+    }
+    rows.width = width;
+    rows.font_size = font_size;
+    rows.bottoms.clear();
+    float bottom = 0.0F;
+    for (const log::Record& record : rows.records) {
+        bottom += ImGui::CalcTextSize(messageOf(record).c_str(), nullptr, false, width).y +
+                  ImGui::GetStyle().ItemSpacing.y;
+        rows.bottoms.push_back(bottom);
+    }
+}
+
+/// One message, wrapped to the width of the window.
 void drawRecord(const log::Record& record) {
     ImGui::TextColored(levelColor(record.level), "%-7s", log::name(record.level));
     ImGui::SameLine(scaled(70));
     ImGui::TextColored(palette().text_dim, "%s", record.subsystem.c_str());
-    ImGui::SameLine(scaled(150));
+    ImGui::SameLine(messageColumn());
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(messageOf(record).c_str());
     ImGui::PopTextWrapPos();
 }
 
+/// Draws the records that the window shows, and gives it the height of all. `to_end`: scrolls to
+/// the end, unless the user has scrolled up.
+void drawRecords(const LogRows& rows, bool to_end) {
+    const float origin = ImGui::GetCursorPosY();
+    const float top = ImGui::GetScrollY() - origin;
+    const RowRange shown = rowsBetween(rows.bottoms, top, top + ImGui::GetWindowHeight());
+    if (shown.first > 0) ImGui::SetCursorPosY(origin + rows.bottoms[shown.first - 1]);
+    for (std::size_t i = shown.first; i < shown.end; ++i) {
+        drawRecord(rows.records[i]);
+        nameItem("log.message." + std::to_string(i));
+    }
+    const float height = rows.bottoms.empty() ? 0.0F : rows.bottoms.back();
+    ImGui::SetCursorPosY(origin + height);
+    if (to_end && ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - scaled(4)) {
+        ImGui::SetScrollFromPosY(origin + height - ImGui::GetScrollY(), 1.0F);
+    }
+}
+
 }  // namespace
+
+RowRange rowsBetween(std::span<const float> bottoms, float top, float bottom) {
+    const auto first = std::ranges::upper_bound(bottoms, top);
+    auto end = std::ranges::lower_bound(first, bottoms.end(), bottom);
+    // The row that begins above `bottom` and ends at it or below.
+    const bool begins = end != bottoms.end() && bottom > (end == bottoms.begin() ? 0.0F : end[-1]);
+    if (begins) ++end;
+    return {static_cast<std::size_t>(first - bottoms.begin()),
+            static_cast<std::size_t>(end - bottoms.begin())};
+}
 
 void LogBuffer::add(const log::Record& record) {
     const std::lock_guard lock(mutex_);
@@ -83,6 +155,7 @@ std::deque<log::Record> LogBuffer::records() const {
 
 void LogBuffer::clear() {
     const std::lock_guard lock(mutex_);
+    ++version_;
     records_.clear();
 }
 
@@ -98,11 +171,8 @@ unsigned LogBuffer::warnings() const {
 
 void drawLogPanel(LogBuffer& buffer, LogPanelState& state) {
     state.seen_warnings = buffer.warnings();
-    const std::deque<log::Record> all = buffer.records();
-    std::vector<const log::Record*> rows;
-    for (const log::Record& record : all) {
-        if (matches(record, state)) rows.push_back(&record);
-    }
+    LogRows& rows = state.rows;
+    const bool changed = follow(rows, buffer, state);
     ImGui::SetNextItemWidth(std::min(scaled(260), ImGui::GetContentRegionAvail().x));
     ImGui::InputTextWithHint("##filter", "Filter messages", &state.filter);
     nameItem("log.filter");
@@ -113,7 +183,7 @@ void drawLogPanel(LogBuffer& buffer, LogPanelState& state) {
     ImGui::SameLine();
     if (ImGui::Button("Copy")) {
         std::string text;
-        for (const log::Record* record : rows) text += asText(*record) + "\n";
+        for (const log::Record& record : rows.records) text += asText(record) + "\n";
         ImGui::SetClipboardText(text.c_str());
     }
     nameItem("log.copy");
@@ -122,15 +192,11 @@ void drawLogPanel(LogBuffer& buffer, LogPanelState& state) {
     if (ImGui::Button("Clear")) buffer.clear();
     nameItem("log.clear");
     ImGui::SameLine();
-    ImGui::TextDisabled("%zu of %zu", rows.size(), all.size());
+    ImGui::TextDisabled("%zu of %zu", rows.records.size(), rows.all);
 
     ImGui::BeginChild("messages");
-    for (const log::Record* record : rows) drawRecord(*record);
-    if (state.seen_version != buffer.version()) {
-        state.seen_version = buffer.version();
-        // Keeps the position if the user has scrolled up.
-        if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - scaled(4)) ImGui::SetScrollHereY(1.0F);
-    }
+    layOut(rows);
+    drawRecords(rows, changed);
     ImGui::EndChild();
 }
 

@@ -2,9 +2,12 @@
 
 #include "engine/core/log.h"
 
+#include <cstddef>
 #include <deque>
 #include <mutex>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace dollytrack::ui {
 
@@ -15,7 +18,7 @@ class LogBuffer {
     void add(const log::Record& record);
     [[nodiscard]] std::deque<log::Record> records() const;
     void clear();
-    /// Increases with every record, for automatic scrolling.
+    /// Increases with every change.
     [[nodiscard]] unsigned version() const;
     /// Number of different warnings and errors added so far.
     [[nodiscard]] unsigned warnings() const;
@@ -28,10 +31,34 @@ class LogBuffer {
     unsigned warnings_ = 0;
 };
 
+/// Indices of rows: `first` to one before `end`.
+struct RowRange {
+    std::size_t first = 0;
+    std::size_t end = 0;
+};
+
+/// The rows of a list that reach into the range between two heights. `bottoms` are the lower ends
+/// of all rows, from the top of the list; all in px.
+[[nodiscard]] RowRange rowsBetween(std::span<const float> bottoms, float top, float bottom);
+
+/// The records that pass the filters, and their heights in the list. They are kept between window
+/// frames, because wrapping thousands of messages takes milliseconds.
+struct LogRows {
+    std::vector<log::Record> records;
+    std::vector<float> bottoms;  // see rowsBetween(); with the gap below
+    std::size_t all = 0;         // records in the log, shown or not
+    // What the records and the heights were made from.
+    unsigned version = 0;
+    std::string filter;
+    int least_level = 0;
+    float width = 0.0F;
+    float font_size = 0.0F;
+};
+
 struct LogPanelState {
     std::string filter;
     int least_level = 1;  // log::Level
-    unsigned seen_version = 0;
+    LogRows rows;
     unsigned seen_warnings = 0;  // LogBuffer::warnings() when the log was drawn last
 
     /// Number of warnings and errors since the log was drawn last.

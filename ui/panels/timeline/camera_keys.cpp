@@ -1,5 +1,6 @@
 #include "ui/panels/timeline/camera_keys.h"
 
+#include "planning/motions/key_motion.h"
 #include "ui/panels/timeline/timeline_time.h"
 #include "ui/theme.h"
 #include "ui/widgets/item_map.h"
@@ -14,7 +15,6 @@
 namespace dollytrack::ui {
 namespace {
 
-constexpr double kLate = 0.75;          // shorter delays are rounding, frame intervals
 constexpr float kDragFrom_px = 3.0F;    // a shorter way of the mouse is a click
 constexpr double kMarginShare = 0.15;   // of the trajectory
 constexpr double kLeastMargin_s = 2.0;  // but at least this
@@ -171,7 +171,7 @@ void drawCameraKeys(const TimelineView& view, const TimelineState& state, const 
         const ImU32 color =
             ImGui::GetColorU32(key.note.empty() ? palette().warning : palette().bad);
         const bool late =
-            std::abs(key.reached_s - time_s) > kLate * secondsPerFrame(view) && !dragged;
+            !dragged && planning::isLate(key.reached_s - time_s, secondsPerFrame(view));
         if (late && reached <= axis.right()) {
             ImGui::GetWindowDrawList()->AddLine({x, y}, {reached, y}, color, scaled(1.5F));
             drawDiamond({reached, y}, scaled(4), color, false);

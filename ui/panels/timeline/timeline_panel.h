@@ -45,6 +45,8 @@ struct TimelineView {
     const FrameSeries* series = nullptr;    // null or of a different length: being measured
     const FrameSeries* earlier = nullptr;   // the previous plan's, drawn until then; or null
     const FrameQuality* quality = nullptr;  // of the same frames as `series`; null: not measured
+    const FrameQuality* earlier_quality = nullptr;  // that of an earlier plan, drawn until then
+    bool measures_quality = false;                  // `quality` is being measured, or will be
     // The plan that is kept for comparison: its length as text, "312 frames, 31.2 s", and in
     // seconds; empty: none is kept.
     std::string kept_text = {};

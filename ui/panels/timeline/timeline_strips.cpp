@@ -21,10 +21,12 @@ constexpr std::array<StripStyle, kTimelineStrips> kStyles = {{
     {"overlap", "Overlap", "", 2, 0.90F},
 }};
 
-/// Calls `use` with the strip's values as a typed vector (double or int).
+/// Calls `use` with the strip's values as a typed vector (double or int), empty if there are none.
 template <class Use>
 auto withValues(const TimelineView& view, TimelineStrip strip, const Use& use) {
-    const FrameSeries& series = *view.series;
+    static const FrameSeries kNoSeries;
+    const FrameSeries& series = view.series != nullptr ? *view.series : kNoSeries;
+    const FrameQuality* quality = view.quality;
     switch (strip) {
         case TimelineStrip::Clearance:
             return use(series.clearance_m);
@@ -39,11 +41,26 @@ auto withValues(const TimelineView& view, TimelineStrip strip, const Use& use) {
         case TimelineStrip::Captured:
             return use(series.captured_so_far);
         case TimelineStrip::ImageCorners:
-            break;
+            return use(quality != nullptr ? quality->image_corners : series.image_corners);
         case TimelineStrip::Overlap:
-            return use(view.quality->overlap);
+            break;
     }
-    return use(view.quality != nullptr ? view.quality->image_corners : series.image_corners);
+    return use(quality != nullptr ? quality->overlap : kNoSeries.score);
+}
+
+int countOf(const TimelineView& view, TimelineStrip strip) {
+    return withValues(view, strip,
+                      [](const auto& values) { return static_cast<int>(values.size()); });
+}
+
+/// The strip of the plan that was measured before, with its frame count, which is 0 if it has no
+/// values.
+TimelineView earlierView(const TimelineView& view, TimelineStrip strip) {
+    TimelineView before = view;
+    before.series = view.earlier;
+    before.quality = view.earlier_quality;
+    before.frame_count = countOf(before, strip);
+    return before;
 }
 
 struct Extremes {
@@ -99,11 +116,14 @@ bool hasSeries(const TimelineView& view) {
            view.series->size() == static_cast<std::size_t>(view.frame_count);
 }
 
+bool hasValues(const TimelineView& view, TimelineStrip strip) {
+    return view.frame_count > 0 && countOf(view, strip) == view.frame_count;
+}
+
 bool isMeasured(const TimelineView& view, TimelineStrip strip) {
-    if (strip == TimelineStrip::Overlap) return view.quality != nullptr;
-    if (strip != TimelineStrip::ImageCorners || view.quality != nullptr) return true;
-    const FrameSeries* series = hasSeries(view) ? view.series : view.earlier;
-    return series != nullptr && !series->image_corners.empty();
+    const bool optional = strip == TimelineStrip::ImageCorners || strip == TimelineStrip::Overlap;
+    if (!optional || view.measures_quality || hasValues(view, strip)) return true;
+    return !hasSeries(view) && earlierView(view, strip).frame_count > 0;
 }
 
 bool isShown(const TimelineView& view, const TimelineState& state, TimelineStrip strip) {
@@ -157,6 +177,19 @@ void drawStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& a
             list->AddLine({x, y}, {end, y}, color);
         }
     }
+}
+
+bool drawEarlierStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& axis,
+                      float top, float bottom) {
+    const TimelineView before = earlierView(view, strip);
+    if (before.frame_count == 0) return false;
+    const double stretch = static_cast<double>(before.frame_count) / view.frame_count;
+    const FrameAxis stretched(before.frame_count, axis.left(), axis.right(), axis.first() * stretch,
+                              axis.shown() * stretch, axis.margin() * stretch);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45F);
+    drawStrip(before, strip, stretched, top, bottom);
+    ImGui::PopStyleVar();
+    return true;
 }
 
 }  // namespace dollytrack::ui

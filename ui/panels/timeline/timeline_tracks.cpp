@@ -183,7 +183,7 @@ void drawTooltip(const TimelineView& view, const TimelineState& state, int frame
     if (hasSeries(view)) {
         for (std::size_t i = 0; i < kTimelineStrips; ++i) {
             const auto strip = static_cast<TimelineStrip>(i);
-            if (!isShown(view, state, strip)) continue;
+            if (!isShown(view, state, strip) || !hasValues(view, strip)) continue;
             ImGui::TextColored(palette().text_dim, "%s", stripStyle(strip).title);
             ImGui::SameLine(scaled(120));
             ImGui::TextUnformatted(stripText(view, strip, frame).c_str());
@@ -195,22 +195,6 @@ void drawTooltip(const TimelineView& view, const TimelineState& state, int frame
     }
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
-}
-
-/// While a parameter is dragged, plans are replaced before they are measured. The strips of the
-/// last measured plan stay, paler and scaled to the new frame count, to avoid flicker.
-void drawEarlierStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& axis,
-                      float top, float bottom) {
-    TimelineView before = view;
-    before.series = view.earlier;
-    before.quality = nullptr;
-    before.frame_count = static_cast<int>(view.earlier->size());
-    const double stretch = static_cast<double>(before.frame_count) / view.frame_count;
-    const FrameAxis stretched(before.frame_count, axis.left(), axis.right(), axis.first() * stretch,
-                              axis.shown() * stretch, axis.margin() * stretch);
-    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45F);
-    drawStrip(before, strip, stretched, top, bottom);
-    ImGui::PopStyleVar();
 }
 
 void drawStrips(const TimelineView& view, const TimelineState& state, const FrameAxis& axis,
@@ -225,14 +209,13 @@ void drawStrips(const TimelineView& view, const TimelineState& state, const Fram
         const float text_y = std::floor((top + bottom - ImGui::GetTextLineHeight()) / 2);
         list->AddText({rows.labels, text_y}, ImGui::GetColorU32(ImGuiCol_Text),
                       stripStyle(strip).title);
-        if (hasSeries(view)) {
+        if (hasValues(view, strip)) {
             drawStrip(view, strip, axis, top, bottom - 1);
             const std::string range = stripRange(view, strip, axis);
             const float width = ImGui::CalcTextSize(range.c_str()).x;
             list->AddText({float(axis.left()) - width - scaled(10), text_y}, dim, range.c_str());
         } else {
-            const bool has_earlier = view.earlier != nullptr && view.earlier->size() > 0;
-            if (has_earlier) drawEarlierStrip(view, strip, axis, top, bottom - 1);
+            const bool has_earlier = drawEarlierStrip(view, strip, axis, top, bottom - 1);
             const char* text = "being measured …";
             const float width = ImGui::CalcTextSize(text).x;
             const float left = float(axis.left());

@@ -62,6 +62,23 @@ Block transformBlock() {
              {"Cancel", "Esc, Right click"}}};
 }
 
+Block timelineBlock() {
+    return {"Mouse in the timeline",
+            {{"Go to a frame", "Click, Left drag"},
+             {"Zoom", "Wheel"},
+             {"Pan", "Middle drag"},
+             {"Select a key of the camera path", "Click it"},
+             {"Move it to another time", "Drag it"},
+             {"Look through it", "Double click it"}}};
+}
+
+Block panelBlock() {
+    return {"Mouse at panels",
+            {{"Move a panel", "Drag its tab"},
+             {"Choose its place, hide it", "Right click its tab"},
+             {"Resize", "Drag the border"}}};
+}
+
 Block fieldBlock() {
     return {"Number fields",
             {{"Change", "Drag"},
@@ -70,15 +87,20 @@ Block fieldBlock() {
              {"Coarser", "Shift+Drag"}}};
 }
 
+/// The commands, and what the mouse does. Without a filter, commands that have no key are left out,
+/// so that everything fits into a small window.
 std::vector<Block> makeBlocks(const CommandTable& commands, const std::string& filter) {
     std::vector<Block> blocks;
     for (const Command& command : commands.all()) {
+        if (filter.empty() && command.keys().empty()) continue;
         auto block = std::ranges::find(blocks, command.group, &Block::title);
         if (block == blocks.end()) block = blocks.insert(blocks.end(), {command.group, {}});
         block->lines.push_back({command.title, command.keys()});
     }
     blocks.push_back(mouseBlock());
     blocks.push_back(transformBlock());
+    blocks.push_back(timelineBlock());
+    blocks.push_back(panelBlock());
     blocks.push_back(fieldBlock());
     for (Block& block : blocks) {
         if (containsIgnoringCase(block.title, filter)) continue;
@@ -199,6 +221,8 @@ void drawHelpOverlay(const CommandTable& commands, HelpState& state) {
     ImGui::SetNextItemWidth(scaled(280));
     ImGui::InputTextWithHint("##filter", "Find a command or a key", &state.filter);
     nameItem("help.filter");
+    ImGui::SameLine();
+    ImGui::TextDisabled("Commands without a key are listed while you search.");
     const float close_width = ImGui::CalcTextSize("Close").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - close_width);
     const bool closed = button("Close", "help.close");

@@ -111,6 +111,9 @@ void explainField(const Field& field, const Field& standard) {
     if (!field.unit().empty()) range += " " + std::string(field.unit());
     ImGui::TextDisabled("%s   %s", field.name.c_str(), range.c_str());
     ImGui::TextDisabled("default %s; double-click to type", standard.valueText().c_str());
+    if (const std::string symbol(field.symbol()); !symbol.empty()) {
+        ImGui::TextDisabled("%s is its symbol in the method's paper", symbol.c_str());
+    }
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -149,6 +152,7 @@ FieldEdit drawField(const Field& field, const Field& standard, const std::string
     if (!field.symbol().empty()) {
         ImGui::SameLine();
         ImGui::TextColored(palette().accent, "%s", std::string(field.symbol()).c_str());
+        if (ImGui::IsItemHovered()) explainField(field, standard);
     }
     ImGui::TableNextColumn();
     const bool differs = field.valueText() != standard.valueText();

@@ -18,6 +18,18 @@ Names sorted(const PanelPlaces& places) {
     return all;
 }
 
+TEST(PanelPlaces, EveryPanelHasANameAndAStandardPlace) {
+    std::size_t count = 0;
+    for (const Names& row : standardPlaces().tabs) count += row.size();
+    EXPECT_EQ(count, static_cast<std::size_t>(Panel::Log) + 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto panel = static_cast<Panel>(i);
+        EXPECT_EQ(panelNamed(panelName(panel)), panel) << panelName(panel);
+        EXPECT_TRUE(standardPlaces().sideOf(panelName(panel))) << panelName(panel);
+    }
+    EXPECT_EQ(panelName(Panel::ByHand), "By hand");
+}
+
 TEST(PanelPlaces, APanelMovesBeforeAnotherOrToTheEnd) {
     PanelPlaces places = standardPlaces();
     places.dock("Log", DockSide::Left, "Layers");
