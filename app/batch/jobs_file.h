@@ -40,7 +40,7 @@ struct BatchOrder {
     std::optional<std::filesystem::path> labels;
     std::vector<std::filesystem::path> models;  // folders with models
     std::optional<std::filesystem::path> annotations;
-    bool convert = false;                // Blender files, with Blender
+    bool convert = false;                // Blender files to glTF first (--convert)
     std::optional<ExportOrder> exports;  // unset: the jobs only plan
     std::vector<std::string> require;
     std::vector<std::string> require_places;  // location of each requirement, "jobs.toml:12"

@@ -18,6 +18,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <functional>
 
@@ -261,10 +262,16 @@ std::vector<std::pair<std::string, std::string>> changedValues(const planning::P
 }
 
 /// How to plan with changed parameters at once, as the end of a message.
-std::string cureOf(const planning::PlanParams& planned, const planning::PlanParams& changed) {
+std::string planningOnceText(const planning::PlanParams& planned,
+                             const planning::PlanParams& changed) {
     std::string options;
     for (const auto& [name, value] : changedValues(planned, changed)) {
-        options += fmt::format("--set {}={} ", name, value);
+        // Shells take some characters for their own.
+        const bool quoted = std::ranges::any_of(value, [](unsigned char c) {
+            return std::isalnum(c) == 0 &&
+                   std::string_view("_.,:/+-").find(static_cast<char>(c)) == std::string_view::npos;
+        });
+        options += fmt::format("--set {0}{1}={2}{0} ", quoted ? "'" : "", name, value);
     }
     return fmt::format("; to plan only once, give {}to 'dollytrack plan'", options);
 }
@@ -443,18 +450,23 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
 }
 
 Status checkArguments(const SceneArguments& arguments) {
+    if (arguments.convert && isBlenderFile(arguments.path)) {
+        ProjectContent standard;  // the scene itself is checked after the conversion
+        return applyArguments(arguments, standard.params);
+    }
     Result<ProjectContent> read = readProject(arguments.path, arguments.annotations);
     if (!read) return tl::unexpected(std::move(read.error()));
     if (Status status = applyArguments(arguments, read->params); !status) return status;
-    if (arguments.convert && needsConversion(arguments.path)) return {};  // checked when converted
     return checkScene(*read);
 }
 
 Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job) {
     Result<std::filesystem::path> path = arguments.path;
-    if (arguments.convert && needsConversion(arguments.path)) {
+    JobContext reading = job;
+    if (arguments.convert && isBlenderFile(arguments.path)) {
         path = convertScene(arguments.path, job.stage(0.0, 0.5, "converting"));
         if (!path) return tl::unexpected(std::move(path.error()));
+        reading = job.stage(0.5, 1.0, "loading");
     }
     Result<ProjectContent> read = readProject(*path, arguments.annotations);
     if (!read) return tl::unexpected(std::move(read.error()));
@@ -467,7 +479,7 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     if (Status status = addCloudSettings(arguments, read->import); !status) {
         return tl::unexpected(std::move(status.error()));
     }
-    Result<std::shared_ptr<const Scene>> imported = importSceneOf(*read, job);
+    Result<std::shared_ptr<const Scene>> imported = importSceneOf(*read, reading);
     if (!imported) return tl::unexpected(std::move(imported.error()));
     warnOfAll("import", (*imported)->report.warnings);
     const Result<std::vector<std::string>> lost = numberEdits(*read, **imported);
@@ -492,13 +504,14 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
         const std::string changed = other_import  ? "the import settings"
                                     : other_edits ? "constraints of the trajectory"
                                                   : changedNames(stored, opened.params);
-        log::warn("project",
-                  other_scene
-                      ? "the scene file has changed since it was planned: planning again, so the "
-                        "views will differ"
-                      : "changed since it was planned: " + changed +
-                            "; planning again, so the views will differ" +
-                            (other_import || other_edits ? "" : cureOf(stored, opened.params)));
+        log::warn(
+            "project",
+            other_scene
+                ? "the scene file has changed since it was planned: planning again, so the "
+                  "views will differ"
+                : "changed since it was planned: " + changed +
+                      "; planning again, so the views will differ" +
+                      (other_import || other_edits ? "" : planningOnceText(stored, opened.params)));
         opened.stored_result = nullptr;
     }
     return opened;

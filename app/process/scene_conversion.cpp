@@ -1,16 +1,21 @@
 #include "app/process/scene_conversion.h"
 
 #include "app/process/child_process.h"
+#include "engine/core/clean_text.h"
 #include "engine/core/log.h"
 #include "engine/io/files/durable_file.h"
+#include "engine/io/files/file_type.h"
 #include "engine/io/sandbox/confined_program.h"
 #include "engine/io/sandbox/importer_process.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -25,12 +30,41 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::minutes kLongest{30};
-// Blender continues with an empty scene if it cannot read the file.
-constexpr const char* kScript =
-    "import bpy, os, sys\n"
-    "if not bpy.data.filepath: sys.exit(7)\n"
-    "bpy.ops.export_scene.gltf(filepath=os.path.join(os.environ['HOME'], 'scene.glb'), "
-    "export_apply=True)\n";
+// Its messages begin with this word, and a second one that says what they are.
+constexpr std::string_view kMessage = "dollytrack:";
+// Blender continues with an empty scene if it cannot read the file. Files that the sandbox hides
+// are like files that are missing.
+constexpr const char* kScript = R"(
+import bpy, os, sys
+
+def say(kind, text):
+    print("dollytrack:", kind, text, file=sys.stderr)
+
+def is_readable(path):
+    try:
+        open(path, "rb").close()
+        return True
+    except OSError:
+        return False
+
+if not bpy.data.filepath:
+    say("reason", "it cannot read the file")
+    sys.exit(7)
+shapes = [one for one in bpy.context.scene.objects
+          if one.type in {"MESH", "CURVE", "SURFACE", "FONT", "META"} or one.instance_collection]
+if not shapes:
+    say("reason", "its scene has no objects with a surface")
+    sys.exit(7)
+images = [one for one in bpy.data.images if one.source == "FILE" and not one.packed_file]
+for one in [*bpy.data.libraries, *images]:
+    if one.filepath and not is_readable(bpy.path.abspath(one.filepath, library=one.library)):
+        say("missing", one.filepath)
+for one in shapes:
+    if one.hide_render:
+        say("hidden", one.name)
+bpy.ops.export_scene.gltf(filepath=os.path.join(os.environ["HOME"], "scene.glb"),
+                          export_apply=True, use_renderable=True)
+)";
 
 std::optional<fs::path> findProgram(const char* name) {
     const char* folders = std::getenv("PATH");
@@ -38,7 +72,8 @@ std::optional<fs::path> findProgram(const char* name) {
     for (std::string folder; std::getline(list, folder, ':');) {
         const fs::path program = fs::path(folder) / name;
         std::error_code error;
-        if (!folder.empty() && ::access(program.c_str(), X_OK) == 0 &&
+        // Relative entries would run programs that lie beside a downloaded scene.
+        if (fs::path(folder).is_absolute() && ::access(program.c_str(), X_OK) == 0 &&
             fs::is_regular_file(program, error)) {
             return fs::canonical(program, error);
         }
@@ -49,11 +84,9 @@ std::optional<fs::path> findProgram(const char* name) {
 /// A new folder for Blender's files, removed at the end.
 class WorkFolder {
   public:
-    static Result<WorkFolder> beside(const fs::path& scene) {
-        std::string path = (scene.parent_path() / ".dollytrack-convert-XXXXXX").string();
-        if (::mkdtemp(path.data()) == nullptr) {
-            return tl::unexpected(writeError(errno, scene.parent_path()));
-        }
+    static Result<WorkFolder> in(const fs::path& folder) {
+        std::string path = (folder / ".dollytrack-convert-XXXXXX").string();
+        if (::mkdtemp(path.data()) == nullptr) return tl::unexpected(writeError(errno, folder));
         return WorkFolder(path);
     }
     ~WorkFolder() {
@@ -72,20 +105,35 @@ class WorkFolder {
     fs::path path_;
 };
 
-/// Its exit code; -1 after a signal. Errors: Cancelled, Failed.
-Result<int> runBlender(const fs::path& blender, const fs::path& scene, const fs::path& work,
-                       const JobContext& job) {
+/// How Blender ended, and what it wrote to standard error.
+struct BlenderRun {
+    ProcessEnd end;
+    std::string messages;
+};
+
+/// Runs Blender in confinement. Errors: Cancelled, Failed.
+Result<BlenderRun> runBlender(const fs::path& blender, const fs::path& scene, const fs::path& work,
+                              const JobContext& job) {
+    ProcessSetup setup;
+    setup.expendable = true;
     Result<ChildProcess> process =
         ChildProcess::start({importerProgram().string(), kConfine, std::to_string(::getpid()),
                              work.string(), scene.parent_path().string(), blender.string(),
                              "--background", "--factory-startup", "--disable-autoexec", "-noaudio",
-                             "--python-exit-code", "8", scene.string(), "--python-expr", kScript});
+                             "--python-exit-code", "8", scene.string(), "--python-expr", kScript},
+                            setup);
     if (!process) return tl::unexpected(process.error());
     const auto begin = std::chrono::steady_clock::now();
+    BlenderRun run;
+    constexpr std::size_t kMostKept = std::size_t{1} << 20U;
     while (true) {
-        const std::string messages = process->read(std::chrono::milliseconds(50));
-        if (!messages.empty()) log::debug("convert", messages);
-        if (const std::optional<ProcessEnd> end = process->end()) return end->exit_code;
+        const std::string heard = process->read(std::chrono::milliseconds(50));
+        if (run.messages.size() < kMostKept) run.messages += heard;
+        if (const std::optional<ProcessEnd> end = process->end()) {
+            run.end = *end;
+            run.messages += process->read(std::chrono::milliseconds(0));
+            return run;
+        }
         if (job.cancelled()) {
             return fail(ErrorCode::Cancelled, "conversion was cancelled", scene.string());
         }
@@ -97,30 +145,123 @@ Result<int> runBlender(const fs::path& blender, const fs::path& scene, const fs:
     }
 }
 
-bool isUpToDate(const fs::path& converted, const fs::path& scene) {
+/// The messages of one kind of kScript, without control characters.
+std::vector<std::string> messagesOf(const BlenderRun& run, std::string_view kind) {
+    std::vector<std::string> found;
+    const std::string begin = fmt::format("{} {} ", kMessage, kind);
+    std::istringstream lines(run.messages);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(begin)) found.push_back(cleanText(line.substr(begin.size())));
+    }
+    return found;
+}
+
+/// The error for a run that made nothing.
+tl::unexpected<Error> whyNot(const BlenderRun& run, const fs::path& blender,
+                             const fs::path& scene) {
+    constexpr const char* kYourself = "; export glTF in Blender yourself";
+    const std::string where = scene.string();
+    if (run.end.exit_code == kCannotConfine) {
+        return fail(ErrorCode::Failed,
+                    std::string("this system cannot confine Blender (Landlock or seccomp is "
+                                "missing)") +
+                        kYourself,
+                    where);
+    }
+    if (run.end.exit_code == kCannotStart) {
+        return fail(ErrorCode::Failed,
+                    blender.string() +
+                        " cannot be run in the sandbox; install Blender in /usr or "
+                        "/opt (sudo apt install blender)",
+                    where);
+    }
+    if (run.end.signal != 0) {
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("Blender was ended by signal {}, perhaps for lack of memory (limit: "
+                        "{} GiB){}",
+                        run.end.signal, kMostConfinedData >> 30U, kYourself),
+            where);
+    }
+    const std::vector<std::string> reasons = messagesOf(run, "reason");
+    std::string reason = reasons.empty() ? "" : reasons.front();
+    if (reason.empty()) {
+        std::istringstream lines(run.messages);
+        for (std::string line; std::getline(lines, line);) {
+            if (!trimmed(line).empty()) reason = cleanText(std::string(trimmed(line)));
+        }
+    }
+    if (reason.empty()) {
+        reason = run.end.exit_code == 1 ? "it cannot read the file"
+                                        : fmt::format("exit code {}", run.end.exit_code);
+    }
+    return fail(ErrorCode::BadInput, "Blender cannot convert it: " + reason, where);
+}
+
+void warnOfLosses(const BlenderRun& run) {
+    const auto list = [](const std::vector<std::string>& names) {
+        constexpr std::size_t kMostNamed = 5;
+        std::string text;
+        for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
+            text += (i > 0 ? ", " : "") + names[i];
+        }
+        if (names.size() > kMostNamed)
+            text += fmt::format(" and {} more", names.size() - kMostNamed);
+        return text;
+    };
+    if (const auto missing = messagesOf(run, "missing"); !missing.empty()) {
+        log::warn(
+            "convert",
+            fmt::format("Blender could not read {} {} of the scene, missing or outside of its "
+                        "folder: {}; pack them into the file (File > External Data), or move "
+                        "them into its folder",
+                        missing.size(), missing.size() == 1 ? "file" : "files", list(missing)));
+    }
+    if (const auto hidden = messagesOf(run, "hidden"); !hidden.empty()) {
+        log::info("convert",
+                  fmt::format("{} {} hidden in renders and left out: {}", hidden.size(),
+                              hidden.size() == 1 ? "object is" : "objects are", list(hidden)));
+    }
+}
+
+/// Converted files have the time of the Blender file that they were made from.
+bool isUpToDate(const fs::path& converted, fs::file_time_type scene_time) {
     std::error_code error;
     const auto made = fs::last_write_time(converted, error);
-    if (error) return false;
-    const auto changed = fs::last_write_time(scene, error);
-    return !error && made >= changed;
+    return !error && made == scene_time;
+}
+
+/// Whether Blender wrote this glTF file.
+bool isBlendersExport(const fs::path& file) {
+    std::string head(1000, '\0');
+    std::ifstream(file, std::ios::binary)
+        .read(head.data(), static_cast<std::streamsize>(head.size()));
+    return head.find("Khronos glTF Blender") != std::string::npos;
 }
 
 }  // namespace
 
-bool needsConversion(const fs::path& scene) {
-    return scene.extension() == ".blend";
+bool isBlenderFile(const fs::path& scene) {
+    return lowerExtension(scene) == ".blend";
 }
 
 Result<fs::path> convertScene(const fs::path& scene, const JobContext& job) {
     std::error_code error;
     const fs::path from = fs::canonical(scene, error);
-    if (error) return fail(ErrorCode::BadInput, "the file cannot be opened", scene.string());
-    fs::path to = scene;
-    to += ".glb";
-    if (isUpToDate(to, scene)) {
-        log::info("convert", "using " + to.string() +
-                                 ", converted earlier; remove it to convert the scene again");
+    if (error || !fs::is_regular_file(from, error)) {
+        return fail(ErrorCode::BadInput, "there is no such file; check the path", scene.string());
+    }
+    // Read before Blender reads the file, in case that changes meanwhile.
+    const auto scene_time = fs::last_write_time(from, error);
+    const fs::path to = fs::path(scene).concat(".glb");
+    if (!error && isUpToDate(to, scene_time)) {
+        log::debug("convert", to.string() + " is up to date");
         return to;
+    }
+    if (fs::exists(to, error) && !isBlendersExport(to)) {
+        return fail(ErrorCode::BadInput,
+                    "it was not made from the Blender file; move it away, or open it instead",
+                    to.string());
     }
     const std::optional<fs::path> blender = findProgram("blender");
     if (!blender) {
@@ -129,27 +270,18 @@ Result<fs::path> convertScene(const fs::path& scene, const JobContext& job) {
                     scene.string());
     }
     job.report(0.0);
-    Result<WorkFolder> work = WorkFolder::beside(from);
+    Result<WorkFolder> work = WorkFolder::in(fs::absolute(to, error).parent_path());
     if (!work) return tl::unexpected(work.error());
-    const Result<int> code = runBlender(*blender, from, work->path(), job);
-    if (!code) return tl::unexpected(code.error());
+    const Result<BlenderRun> run = runBlender(*blender, from, work->path(), job);
+    if (!run) return tl::unexpected(run.error());
     const fs::path made = work->path() / "scene.glb";
-    if (*code == 3) {
-        return fail(ErrorCode::Failed,
-                    "Blender was not started, because this system cannot confine it (Landlock and "
-                    "seccomp are missing); convert the file yourself: open it in Blender and "
-                    "export glTF",
-                    scene.string());
+    if (run->end.exit_code != 0 || !fs::is_regular_file(fs::symlink_status(made, error))) {
+        return whyNot(*run, *blender, scene);
     }
-    if (*code != 0 || !fs::is_regular_file(fs::symlink_status(made, error))) {
-        return fail(ErrorCode::BadInput,
-                    "Blender cannot convert it (" +
-                        (*code == 7   ? std::string("it cannot read the file")
-                         : *code == 0 ? std::string("it wrote nothing")
-                                      : "exit code " + std::to_string(*code)) +
-                        "); open it in Blender to see why",
-                    scene.string());
-    }
+    warnOfLosses(*run);
+    fs::last_write_time(made, scene_time, error);
+    // Another process may have converted the same scene meanwhile, and uses the result.
+    if (isUpToDate(to, scene_time)) return to;
     fs::rename(made, to, error);
     if (error) return tl::unexpected(writeError(error.value(), to));
     log::info("convert", "converted to " + to.string());

@@ -25,6 +25,7 @@ class JobPhases {
     /// The context of the phase with this name. A phase that was not listed has no share: it begins
     /// and ends at the end of the job.
     [[nodiscard]] JobContext of(const std::string& name) const {
+        if (total_ <= 0.0) return job_.stage(0.0, 1.0, name);
         double before = 0.0;
         for (const Phase& phase : phases_) {
             const double after = before + phase.weight;

@@ -7,6 +7,7 @@
 #include <bitset>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -16,10 +17,12 @@ namespace {
 constexpr double kNearby = 4.0;       // m: largest gap between objects of one building
 constexpr double kTooWide = 2.0;      // times the rest's extent: a ground or sky
 constexpr double kTooWideFlat = 1.6;  // the same for a flat object: a ground plane
-// Rooms beside the largest building: their least width and height, and the least share of the
-// horizontal directions from inside in which a surface stands.
+// Rooms beside the largest building: their least width and height, the least distance from a point
+// to the surfaces around it, so that the point is in no object, and the least share of the
+// horizontal directions from it in which a surface stands.
 constexpr double kLeastRoom_m = 1.8;
-constexpr double kLeastHeight_m = 1.5;
+constexpr double kLeastHeight_m = 1.9;
+constexpr double kLeastDistance_m = 0.3;
 constexpr double kClosed = 0.7;
 
 struct Item {
@@ -27,7 +30,7 @@ struct Item {
     Eigen::AlignedBox3d box;
 };
 
-/// A chain of nearby boxes.
+/// Objects that are near each other, directly or through others, and the box around them.
 struct Group {
     std::vector<std::size_t> objects;
     Eigen::AlignedBox3d bounds;
@@ -56,10 +59,10 @@ std::vector<Group> groupsOf(const std::vector<Item>& items, std::size_t first) {
     return by_set;
 }
 
-/// The items, the widest first, and how many of them are skies, grounds and the like.
+/// The items, the widest first; the first ones may be skies, grounds and the like.
 struct SortedItems {
     std::vector<Item> items;
-    std::size_t around = 0;
+    std::size_t surrounding_count = 0;  // the first ones
 };
 
 SortedItems sortItems(const std::vector<Object>& objects) {
@@ -96,7 +99,7 @@ SortedItems sortItems(const std::vector<Object>& objects) {
         const double limit = flat ? kTooWideFlat : kTooWide;
         if (wide < 4.0 || planSize(items[first]) <= limit * wide) break;
     }
-    sorted.around = first;
+    sorted.surrounding_count = first;
     return sorted;
 }
 
@@ -107,31 +110,41 @@ class Horizon {
 
     /// Adds the part of a triangle that is at the point's height.
     void add(const std::array<Eigen::Vector3d, 3>& corners) {
-        std::array<double, 2> azimuth = {};
+        std::array<Eigen::Vector2d, 2> ends;
         unsigned cuts = 0;
         for (unsigned i = 0; i < 3 && cuts < 2; ++i) {
             const Eigen::Vector3d a = corners[i] - from_;
             const Eigen::Vector3d b = corners[(i + 1) % 3] - from_;
             if ((a.z() < 0.0) == (b.z() < 0.0)) continue;
-            const Eigen::Vector3d at = a + a.z() / (a.z() - b.z()) * (b - a);
-            azimuth[cuts++] = std::atan2(at.y(), at.x());
+            ends[cuts++] = (a + a.z() / (a.z() - b.z()) * (b - a)).head<2>();
         }
         if (cuts < 2) return;
+        const Eigen::Vector2d along = ends[1] - ends[0];
+        const double part =
+            std::clamp(-ends[0].dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
+        nearest_m_ = std::min(nearest_m_, (ends[0] + part * along).norm());
         // The cut spans the smaller of the two angles between its ends.
-        const double turn = std::remainder(azimuth[1] - azimuth[0], 2.0 * std::numbers::pi);
-        const double begin = turn < 0.0 ? azimuth[1] : azimuth[0];
+        const auto azimuth = [](const Eigen::Vector2d& at) { return std::atan2(at.y(), at.x()); };
+        const double turn =
+            std::remainder(azimuth(ends[1]) - azimuth(ends[0]), 2.0 * std::numbers::pi);
+        const double begin = azimuth(ends[turn < 0.0 ? 1 : 0]);
         constexpr double kStep = 2.0 * std::numbers::pi / kDirections;
         const auto first = static_cast<int>(std::ceil(begin / kStep));
         const auto last = static_cast<int>(std::floor((begin + std::abs(turn)) / kStep));
         for (int i = first; i <= last; ++i) seen_.set((i + kDirections) % kDirections);
     }
 
-    [[nodiscard]] double share() const { return static_cast<double>(seen_.count()) / kDirections; }
+    /// Whether the point is in the open, and surfaces stand around it.
+    [[nodiscard]] bool isEnclosed() const {
+        return nearest_m_ >= kLeastDistance_m &&
+               static_cast<double>(seen_.count()) >= kClosed * kDirections;
+    }
 
   private:
     static constexpr int kDirections = 64;
     Eigen::Vector3d from_;
     std::bitset<kDirections> seen_;
+    double nearest_m_ = std::numeric_limits<double>::infinity();
 };
 
 /// Whether a group of objects is a room that is closed on at least three sides, with an object in
@@ -147,13 +160,16 @@ bool enclosesRoom(const Scene& scene, const Group& group) {
                (box.max().head<2>().array() < inner.max().head<2>().array()).all();
     });
     if (!furnished) return false;
-    // From several points, because a wall within the group may hide what is behind it.
-    std::array<std::vector<Horizon>, 2> horizons;
-    std::array<double, 2> heights = {};
-    for (unsigned level = 0; level < 2; ++level) {
-        heights[level] = bounds.min().z() + (0.5 + 0.25 * level) * size.z();
-        for (const double y : {0.25, 0.5, 0.75}) {
-            for (const double x : {0.25, 0.5, 0.75}) {
+    // From several points, because furniture stands in some of them. At three heights, because
+    // trees and tables are open below.
+    constexpr std::array kHeights = {0.2, 0.5, 0.75};
+    constexpr std::array kPlaces = {0.2, 0.35, 0.5, 0.65, 0.8};
+    std::array<std::vector<Horizon>, kHeights.size()> horizons;
+    std::array<double, kHeights.size()> heights = {};
+    for (std::size_t level = 0; level < kHeights.size(); ++level) {
+        heights[level] = bounds.min().z() + kHeights[level] * size.z();
+        for (const double y : kPlaces) {
+            for (const double x : kPlaces) {
                 horizons[level].emplace_back(Eigen::Vector3d(bounds.min().x() + x * size.x(),
                                                              bounds.min().y() + y * size.y(),
                                                              heights[level]));
@@ -167,7 +183,7 @@ bool enclosesRoom(const Scene& scene, const Group& group) {
             const auto z = [&](unsigned k) { return scene.positions[triangle[k]].z(); };
             const double low = std::min({z(0), z(1), z(2)});
             const double high = std::max({z(0), z(1), z(2)});
-            for (unsigned level = 0; level < 2; ++level) {
+            for (std::size_t level = 0; level < heights.size(); ++level) {
                 if (high < heights[level] || low > heights[level]) continue;
                 for (Horizon& horizon : horizons[level]) {
                     horizon.add({scene.positions[triangle[0]].cast<double>(),
@@ -177,10 +193,14 @@ bool enclosesRoom(const Scene& scene, const Group& group) {
             }
         }
     }
-    return std::ranges::all_of(horizons, [](const std::vector<Horizon>& level) {
-        return std::ranges::any_of(
-            level, [](const Horizon& horizon) { return horizon.share() >= kClosed; });
-    });
+    for (std::size_t point = 0; point < horizons[0].size(); ++point) {
+        if (std::ranges::all_of(horizons, [&](const std::vector<Horizon>& level) {
+                return level[point].isEnclosed();
+            })) {
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace
@@ -194,13 +214,13 @@ Eigen::AlignedBox3d worldBounds(const OrientedBox& box) {
 Eigen::AlignedBox3d findRoomBounds(const std::vector<Object>& objects) {
     if (objects.empty()) return {};
     const SortedItems sorted = sortItems(objects);
-    return groupsOf(sorted.items, sorted.around).front().bounds;
+    return groupsOf(sorted.items, sorted.surrounding_count).front().bounds;
 }
 
 Eigen::AlignedBox3d findRoomBounds(const Scene& scene, std::vector<std::string>& left_out) {
     if (scene.objects.empty()) return {};
     const SortedItems sorted = sortItems(scene.objects);
-    const std::vector<Group> groups = groupsOf(sorted.items, sorted.around);
+    const std::vector<Group> groups = groupsOf(sorted.items, sorted.surrounding_count);
     std::vector<bool> counts(scene.objects.size(), false);
     Eigen::AlignedBox3d bounds;
     for (const Group& group : groups) {

@@ -311,5 +311,20 @@ TEST(AwkwardScene, DistantObjectsWithoutARoomDoNotCount) {
     }
 }
 
+// From a point in a crown or a car, surfaces stand all round.
+TEST(AwkwardScene, TreesAndCarsFarFromTheHouseDoNotCount) {
+    ObjWriter tree = furnished();
+    tree.object("trunk").box({19.7, 1.7, 0}, {20.3, 2.3, 3});
+    tree.object("crown").box({17, -1, 3}, {23, 5, 8});
+    tree.object("nest").box({19.8, 1.8, 5}, {20.2, 2.2, 5.3});
+    ObjWriter car = furnished();
+    car.object("body").box({20, 0, 0.3}, {24.5, 1.9, 1.6});
+    car.object("seat").box({21, 0.5, 0.5}, {21.5, 1.0, 1.2});
+    car.object("wheel").box({20.5, 0, 0}, {21.1, 0.2, 0.6});
+    for (const ObjWriter* obj : {&tree, &car}) {
+        EXPECT_NEAR(importedText(obj->text()).room_bounds.sizes().x(), 5.0, 1e-3);
+    }
+}
+
 }  // namespace
 }  // namespace dollytrack::awkward_scene_test

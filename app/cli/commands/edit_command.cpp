@@ -234,10 +234,10 @@ Status checkArguments(const EditArguments& arguments) {
     const SceneArguments& scene = arguments.scene;
     if (arguments.showsOnly() &&
         (scene.unit_m || scene.up_axis || scene.labels || !scene.models.empty() ||
-         scene.annotations || scene.keep_meshes)) {
+         scene.annotations || scene.keep_meshes || scene.convert)) {
         return fail(ErrorCode::Usage,
                     "Edits are listed without reading the scene; leave --unit, --up, --labels, "
-                    "--models, --annotations and --keep-meshes out.");
+                    "--models, --annotations, --keep-meshes and --convert out.");
     }
     if (arguments.dry_run &&
         (arguments.plan || !arguments.out.empty() || !arguments.annotations.empty())) {
@@ -372,10 +372,10 @@ void addEditCommand(CLI::App& app, Session& session) {
     command->add_flag("--list", arguments->list, "List all operations with their fields");
     command->add_flag("--json", arguments->as_json, "Print as JSON");
     command->footer(
-        "Keys of the camera path: add_camera_key, change_camera_key, remove_camera_key, and\n"
-        "set_motion for all; of a moving object: object_track. 'Files of key frames' in the\n"
-        "guide on planning has an example and the formats; 'repair --keys' reads TUM's and "
-        "others.\n"
+        "Operations on camera keys: add_camera_key, change_camera_key, remove_camera_key;\n"
+        "set_motion replaces all keys. object_track sets the keys of a moving object. The\n"
+        "guide on planning ('Files of key frames') has an example; 'repair --keys' reads\n"
+        "TUM, KITTI and other trajectory files.\n"
         "Example: dollytrack edit room.dolly --op '{\"op\":\"exclude\",\"object\":\"lamp_3\"}' "
         "--plan");
     command->callback([&session, arguments] {

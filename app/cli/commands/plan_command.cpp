@@ -58,7 +58,7 @@ bool asksForQuality(const PlanArguments& arguments) {
     return arguments.quality || !arguments.frames.empty();
 }
 
-/// Names of the parts of the work that are shared out.
+/// Phases of the work, as the progress names them.
 constexpr const char* kLoading = "loading";
 constexpr const char* kPlanning = "planning";
 constexpr const char* kDenseSearch = "dense search";
@@ -77,8 +77,8 @@ JobPhases phasesOf(const PlanArguments& arguments, const JobContext& job) {
              {kCoverage, arguments.coverage.empty() ? 0.0 : 40.0}}};
 }
 
-/// A part whose steps are plans of their own: the progress names the part instead of their stages.
-JobContext ofManyPlans(const Session& session, JobContext part) {
+/// A context that keeps the phase's name while plans inside it report stages of their own.
+JobContext hideInnerStages(const Session& session, JobContext part) {
     return {session.cancelled,
             [part = std::move(part)](double fraction, std::string_view) { part.report(fraction); }};
 }
@@ -288,12 +288,12 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     }
     std::vector<LedgerRow> ledger;
     if (arguments.explain) {
-        auto rows = explain(*opened, *planned, ofManyPlans(session, phases.of(kRemedies)));
+        auto rows = explain(*opened, *planned, hideInnerStages(session, phases.of(kRemedies)));
         if (!rows) return tl::unexpected(std::move(rows.error()));
         ledger = std::move(*rows);
     }
     if (Status status = writeFiles(*opened, pipeline, *planned, arguments,
-                                   ofManyPlans(session, phases.of(kCoverage)));
+                                   hideInnerStages(session, phases.of(kCoverage)));
         !status) {
         return tl::unexpected(std::move(status.error()));
     }

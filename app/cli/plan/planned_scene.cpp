@@ -94,7 +94,8 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
     for (const TrajectoryFrame& frame : plan.trajectory.frames) motions.insert(frame.path);
     if (motions.size() < 2) return;
     log::warn("planning", fmt::format("no collision-free path connects all views: the trajectory "
-                                      "has {} separate motions, numbered by 'path' in frames.csv{}",
+                                      "has {} separate motions, numbered by 'path' in frames.csv "
+                                      "and 'component' in dataset.json{}",
                                       motions.size(),
                                       roomsPartThem(plan.paths)
                                           ? "; --set rooms=each exports each room separately"

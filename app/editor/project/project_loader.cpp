@@ -7,13 +7,17 @@
 namespace dollytrack::editor {
 
 Result<OpenedProject> openProject(ProjectContent content, const JobContext& job) {
-    if (content.project.empty() && needsConversion(content.scene_file)) {
+    JobContext reading = job;
+    if (content.project.empty() && isBlenderFile(content.scene_file)) {
         Result<std::filesystem::path> converted =
             convertScene(content.scene_file, job.stage(0.0, 0.5, "converting"));
         if (!converted) return tl::unexpected(std::move(converted.error()));
-        content.scene_file = std::move(*converted);
+        Result<ProjectContent> read = readProject(*converted);  // with its annotations
+        if (!read) return tl::unexpected(std::move(read.error()));
+        content = std::move(*read);
+        reading = job.stage(0.5, 1.0, "loading");
     }
-    Result<std::shared_ptr<const Scene>> imported = importSceneOf(content, job);
+    Result<std::shared_ptr<const Scene>> imported = importSceneOf(content, reading);
     if (!imported) return tl::unexpected(std::move(imported.error()));
     OpenedProject opened;
     opened.imported = std::move(*imported);

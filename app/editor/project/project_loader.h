@@ -27,8 +27,8 @@ struct OpenedProject {
     std::vector<std::string> warnings;                       // messages for the user
 };
 
-/// Imports the scene of a project; a Blender file without one is converted first. Errors: those of
-/// convertScene(), importSceneOf() and numberEdits().
+/// Imports the scene of a project, or a scene file; Blender files are first converted. Errors:
+/// those of convertScene(), importSceneOf() and numberEdits().
 Result<OpenedProject> openProject(ProjectContent content, const JobContext& job);
 
 }  // namespace dollytrack::editor

@@ -49,7 +49,7 @@ std::string_view adviceFor(std::string_view extension, std::string_view head) {
           "BLENDER",
           "this is a Blender file; pass --convert, or convert it with: blender -b in.blend "
           "--python-expr \"import "
-          "bpy; bpy.ops.export_scene.gltf(filepath='out.glb')\""},
+          "bpy; bpy.ops.export_scene.gltf(filepath='out.glb', export_apply=True)\""},
          {{".ifc", ".ifczip"},
           "ISO-10303-21",
           "this is an IFC building model; convert it with \"assimp export in.ifc out.obj\" "

@@ -37,7 +37,7 @@ struct XmlFile {
 /// large, or contains xacro macros.
 [[nodiscard]] Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most);
 
-/// The same of a text; `path` is its name in errors.
+/// Parses XML from memory. Errors name `path`.
 [[nodiscard]] Result<XmlFile> parseXml(std::string_view text, const std::filesystem::path& path);
 
 /// The text of an element without surrounding blanks.

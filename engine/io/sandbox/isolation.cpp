@@ -18,14 +18,6 @@ constexpr bool kSanitized = true;  // sanitizers' shadow memory needs terabytes 
 constexpr bool kSanitized = false;
 #endif
 
-/// Lowers a resource limit; a stricter existing limit is kept.
-bool limit(__rlimit_resource resource, rlim_t most) {
-    rlimit before{};
-    if (::getrlimit(resource, &before) != 0) return false;
-    const rlimit both{std::min(most, before.rlim_max), std::min(most, before.rlim_max)};
-    return ::setrlimit(resource, &both) == 0;
-}
-
 /// Sets all limits except that of processor time, which the parent sets, because it knows the
 /// amount of work.
 bool setLimits() {
@@ -34,16 +26,25 @@ bool setLimits() {
     bool all = ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
     // Core dumps that are piped to a program ignore RLIMIT_CORE, but not this.
     all = ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) == 0 && all;
-    all = limit(RLIMIT_CORE, 0) && all;
-    all = limit(RLIMIT_FSIZE, 0) && all;
-    all = limit(RLIMIT_NOFILE, kMostOpenFiles) && all;
-    if (!kSanitized) all = limit(RLIMIT_AS, kMostAddressSpace + kMostSerializedBytes) && all;
+    all = lowerLimit(RLIMIT_CORE, 0) && all;
+    all = lowerLimit(RLIMIT_FSIZE, 0) && all;
+    all = lowerLimit(RLIMIT_NOFILE, kMostOpenFiles) && all;
+    if (!kSanitized) all = lowerLimit(RLIMIT_AS, kMostAddressSpace + kMostSerializedBytes) && all;
     // The returned data is in shared memory, which RLIMIT_DATA does not count.
-    if (!kSanitized) all = limit(RLIMIT_DATA, kMostAddressSpace) && all;
+    if (!kSanitized) all = lowerLimit(RLIMIT_DATA, kMostAddressSpace) && all;
     return all;
 }
 
 }  // namespace
+
+bool lowerLimit(int resource, std::uint64_t most) {
+    const auto kind = static_cast<__rlimit_resource>(resource);
+    rlimit before{};
+    if (::getrlimit(kind, &before) != 0) return false;
+    const rlim_t lower = std::min<rlim_t>(most, before.rlim_max);
+    const rlimit both{lower, lower};
+    return ::setrlimit(kind, &both) == 0;
+}
 
 std::uint32_t isolateProcess(const std::vector<std::filesystem::path>& folders) {
     std::uint32_t missing = 0;

@@ -25,6 +25,10 @@ enum IsolationLayer : std::uint32_t {
 /// container refuses is skipped. Returns the layers that are not available.
 [[nodiscard]] std::uint32_t isolateProcess(const std::vector<std::filesystem::path>& folders);
 
+/// Lowers a resource limit of this process (RLIMIT_...); a stricter existing limit is kept. Returns
+/// false if the system refuses.
+[[nodiscard]] bool lowerLimit(int resource, std::uint64_t most);
+
 /// "Landlock and seccomp", for the log.
 [[nodiscard]] std::string layerNames(std::uint32_t layers);
 

@@ -29,6 +29,12 @@ box('table', (1.2, 0.8, 0.75), (0.5, 0.5, 0.375))
 text = bpy.data.texts.new('run_me.py')
 text.write("open({marker!r}, 'w').write('harm')")
 text.use_module = True
+box('hidden_crate', (0.5, 0.5, 0.5), (-1, -1, 0.25))
+bpy.context.object.hide_render = True
+image = bpy.data.images.new('carpet', 8, 8)
+image.use_fake_user = True
+image.source = 'FILE'
+image.filepath = '//../elsewhere/carpet.png'
 bpy.ops.wm.save_as_mainfile(filepath={path!r})
 """
 IMPORTER = str(pathlib.Path(PROGRAM).with_name("dollytrack-import"))
@@ -65,15 +71,34 @@ class Conversion(FolderCase):
         self.assertEqual(sorted(path.name for path in scene.parent.iterdir()),
                          ["room.blend", "room.blend.glb"])
         self.assertFalse(self.marker.exists(), "a script of the file ran")
+        self.assertIn("could not read 1 file of the scene", result.stderr)
+        self.assertIn("elsewhere/carpet.png", result.stderr)
+        self.assertIn("1 object is hidden in renders and left out: hidden_crate", result.stderr)
         before = (scene.parent / "room.blend.glb").stat().st_mtime_ns
         plan = run("plan", scene, "--convert", "-o", scene.with_suffix(".dolly"), "--max-frames", 4)
         self.assertEqual(plan.returncode, 0, plan.stderr)
         self.assertEqual((scene.parent / "room.blend.glb").stat().st_mtime_ns, before)
         project = json.loads(scene.with_suffix(".dolly").read_text())
         self.assertIn("room.blend.glb", project["scene"]["path"])
-        os.utime(scene, ns=(before + 10**9, before + 10**9))
+        os.utime(scene, ns=(before - 10**9, before - 10**9))
         self.assertEqual(run("info", scene, "--convert").returncode, 0)
-        self.assertNotEqual((scene.parent / "room.blend.glb").stat().st_mtime_ns, before)
+        self.assertEqual((scene.parent / "room.blend.glb").stat().st_mtime_ns, before - 10**9)
+
+    def test_a_file_of_the_user_is_not_overwritten(self):
+        scene = self.room()
+        own = scene.with_name("room.blend.glb")
+        own.write_text("mine")
+        self.assertFails(run("info", scene, "--convert"), 4, "room.blend.glb", "move it away")
+        self.assertEqual(own.read_text(), "mine")
+
+    def test_links_and_capitals(self):
+        scene = self.room()
+        (scene.parent / "elsewhere").mkdir()
+        link = scene.parent / "elsewhere" / "ROOM.BLEND"
+        link.symlink_to(scene)
+        self.assertEqual(run("info", link, "--convert").returncode, 0)
+        self.assertEqual(sorted(path.name for path in link.parent.iterdir()),
+                         ["ROOM.BLEND", "ROOM.BLEND.glb"])
 
     def test_without_the_option_it_is_named(self):
         self.assertFails(run("info", self.room()), 4, "Blender file", "--convert")
@@ -84,7 +109,7 @@ class Conversion(FolderCase):
             folder.mkdir()
             (folder / "room.blend").write_bytes(data)
             result = run("info", folder / "room.blend", "--convert")
-            self.assertFails(result, 4, "room.blend", "Blender cannot convert it")
+            self.assertFails(result, 4, "room.blend", "Blender cannot convert it: it cannot read")
             self.assertEqual([path.name for path in folder.iterdir()], ["room.blend"])
 
     def test_without_blender_the_package_is_named(self):
@@ -113,7 +138,14 @@ class Confinement(FolderCase):
         for code in ["open('{folder}/secret')", "open('{folder}/readable/scene', 'w')",
                      "open('{folder}/new', 'w')", "import socket; socket.socket()",
                      "import os; os.kill(os.getppid(), 0)", "import os; os.listdir('{folder}')",
-                     "import os; os.rename('{folder}/work', '{folder}/gone')"]:
+                     "import os; os.rename('{folder}/work', '{folder}/gone')",
+                     "import os; os.chmod('{folder}/secret', 0o777)",
+                     "import os; os.setpriority(os.PRIO_PROCESS, os.getppid(), 1)",
+                     "import os, resource; resource.prlimit(os.getppid(), resource.RLIMIT_CORE, (0, 0))",
+                     "import os; os.truncate('{folder}/secret', 0)",
+                     "import os; os.open('{folder}/readable/scene', os.O_RDONLY | os.O_TRUNC)",
+                     "import os; os.utime('{folder}/secret')", "import os; os.setsid()",
+                     "import os; os.fork()", "import os; open('/proc/%d/cmdline' % os.getppid())"]:
             refused = ("try:\n    " + code + "\nexcept PermissionError:\n    raise SystemExit(42)")
             self.assertEqual(self.confined(refused), 42, code)
 
