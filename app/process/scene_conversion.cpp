@@ -5,6 +5,7 @@
 #include "engine/core/log.h"
 #include "engine/io/files/durable_file.h"
 #include "engine/io/files/file_type.h"
+#include "engine/io/files/input_file.h"
 #include "engine/io/sandbox/confined_program.h"
 #include "engine/io/sandbox/importer_process.h"
 
@@ -15,7 +16,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -233,9 +233,9 @@ bool isUpToDate(const fs::path& converted, fs::file_time_type scene_time) {
 
 /// Whether Blender wrote this glTF file.
 bool isBlendersExport(const fs::path& file) {
+    const Result<InputFile> input = openNamedFile(file);
     std::string head(1000, '\0');
-    std::ifstream(file, std::ios::binary)
-        .read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (!input || input->read(0, head.data(), head.size()) == 0) return false;
     return head.find("Khronos glTF Blender") != std::string::npos;
 }
 
