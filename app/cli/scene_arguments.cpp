@@ -354,9 +354,10 @@ ProjectFile projectOf(const OpenedScene& opened) {
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
     command
-        .add_option("scene", arguments.path,
-                    "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL; point clouds; homes; 3D-FRONT, "
-                    "SceneNet RGB-D) or .dolly project")
+        .add_option(
+            "scene", arguments.path,
+            "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL; Gazebo, URDF, Habitat; point clouds; "
+            "homes; 3D-FRONT, SceneNet RGB-D; Blender with --convert) or .dolly project")
         ->required()
         ->type_name("SCENE");
     addImportArguments(command, arguments);

@@ -88,8 +88,8 @@ int main(int argc, char** argv) {
     std::string socket;
     std::string size;
     app.add_option("file", path,
-                   "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL; point clouds; homes; 3D-FRONT, "
-                   "SceneNet RGB-D) or .dolly project")
+                   "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL; Gazebo, URDF, Habitat; point "
+                   "clouds; homes; 3D-FRONT, SceneNet RGB-D; Blender) or .dolly project")
         ->type_name("FILE");
     app.add_option("--size", size,
                    "Size of the window for a screen of 96 dots per inch, such as 1280x720")

@@ -208,8 +208,8 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
          labels: Optional[Path] = None, models: Union[None, Path, Iterable[Path]] = None,
          annotations: Optional[Path] = None, keep_meshes: bool = False, convert: bool = False,
          cloud: Optional[Dict[str, float]] = None, progress: Progress = None) -> Scene:
-    """Reads a scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL, point clouds, homes, 3D-FRONT, SceneNet
-    RGB-D) or a .dolly project.
+    """Reads a scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL, Gazebo, URDF, Habitat, labelled meshes,
+    point clouds, homes, 3D-FRONT, SceneNet RGB-D; Blender with convert) or a .dolly project.
 
     unit_m: metres per unit of the scene; None: detected.
     up_axis: the file's upward axis: "x", "y", "z", "-x", "-y" or "-z"; None: detected.
