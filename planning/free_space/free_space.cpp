@@ -300,6 +300,14 @@ Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, co
         found = impl->findBestRooms(scene, rays, moved, rule, job);
     }
     if (!found) return tl::unexpected(found.error());
+    if (found->rooms.empty() && scene.objects.size() == 1) {
+        const Eigen::Vector3d size = scene.room_bounds.sizes();
+        return fail(ErrorCode::BadInput,
+                    "the scene is a single object of " + inMetres(size.x()) + " x " +
+                        inMetres(size.y()) + " x " + inMetres(size.z()) +
+                        " without space for a camera in it; a scene needs a room",
+                    scene.name);
+    }
     if (found->rooms.empty()) {
         return fail(ErrorCode::BadInput,
                     "no room of the scene has space for a camera of radius " +
