@@ -13,7 +13,8 @@ class ProgressEstimate {
 
     explicit ProgressEstimate(Clock::time_point begin = Clock::now()) : begin_(begin) {}
 
-    /// Takes a fraction, 0..1, reported at `now`. Returns the largest one so far.
+    /// Records that the share `fraction` of the work, 0..1, is done at `now`. Returns the largest
+    /// share recorded so far.
     double add(double fraction, Clock::time_point now = Clock::now());
 
     /// Time left, s, if the work goes on as fast as in the later half of the time spent, because

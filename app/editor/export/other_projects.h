@@ -26,7 +26,7 @@ class OtherProjects {
     explicit OtherProjects(std::function<void()> wake) : worker_(std::move(wake)) {}
 
     void read(const std::filesystem::path& project);
-    /// Drops all projects that are not read yet.
+    /// Forgets all projects that have not been read yet.
     void cancel();
     /// The next project that has been read. To be called every frame.
     [[nodiscard]] std::optional<OtherProject> take();

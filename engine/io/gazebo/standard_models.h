@@ -5,9 +5,9 @@
 
 namespace dollytrack::gazebo {
 
-/// SDF of a model that comes with Gazebo and that worlds include without shipping it: `sun`, a
-/// light, and `ground_plane`, a plane 100 m wide. By model:// or by the address on Fuel. Empty for
-/// all other models.
+/// The SDF text of a model that comes with Gazebo, so that worlds include it without its files:
+/// `sun`, which is a light, or `ground_plane`, which is 100 m wide. `uri` is model://NAME or the
+/// model's address on Gazebo Fuel. Returns an empty text for all other models.
 [[nodiscard]] std::string_view standardModel(const std::string& uri);
 
 }  // namespace dollytrack::gazebo

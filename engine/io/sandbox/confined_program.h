@@ -7,7 +7,7 @@ namespace dollytrack {
 /// First argument of dollytrack-import that makes it run another program in confinement.
 inline constexpr const char* kConfine = "--confine";
 
-/// Limit of that program's data, bytes.
+/// Memory limit of a program that runConfined() runs (RLIMIT_DATA), bytes.
 inline constexpr std::uint64_t kMostConfinedData = std::uint64_t{8} << 30U;
 
 /// Exit codes of runConfined() when it could not start the program.

@@ -121,25 +121,25 @@ class Conversion(FolderCase):
 class Confinement(FolderCase):
     def confined(self, code):
         """Exit code of a Python program in confinement; see confined_program.h."""
-        work, readable = self.folder / "work", self.folder / "readable"
-        for folder in (work, readable):
+        output, readable = self.folder / "output", self.folder / "readable"
+        for folder in (output, readable):
             folder.mkdir(exist_ok=True)
         (readable / "scene").write_text("scene")
         (self.folder / "secret").write_text("secret")
-        command = [IMPORTER, "--confine", str(os.getpid()), str(work), str(readable),
+        command = [IMPORTER, "--confine", str(os.getpid()), str(output), str(readable),
                    os.path.realpath("/usr/bin/python3"), "-c", code.format(folder=self.folder)]
         return subprocess.run(command, capture_output=True).returncode
 
     def test_what_it_needs_is_allowed(self):
         self.assertEqual(self.confined("open('{folder}/readable/scene').read()\n"
-                                       "open('{folder}/work/made', 'w').write('made')"), 0)
-        self.assertEqual((self.folder / "work" / "made").read_text(), "made")
+                                       "open('{folder}/output/made', 'w').write('made')"), 0)
+        self.assertEqual((self.folder / "output" / "made").read_text(), "made")
 
     def test_everything_else_is_refused(self):
         for code in ["open('{folder}/secret')", "open('{folder}/readable/scene', 'w')",
                      "open('{folder}/new', 'w')", "import socket; socket.socket()",
                      "import os; os.kill(os.getppid(), 0)", "import os; os.listdir('{folder}')",
-                     "import os; os.rename('{folder}/work', '{folder}/gone')",
+                     "import os; os.rename('{folder}/output', '{folder}/gone')",
                      "import os; os.chmod('{folder}/secret', 0o777)",
                      "import os; os.setpriority(os.PRIO_PROCESS, os.getppid(), 1)",
                      "import os, resource; resource.prlimit(os.getppid(), resource.RLIMIT_CORE, (0, 0))",

@@ -38,8 +38,8 @@ struct StripStyle {
 void drawStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& axis, float top,
                float bottom);
 /// Plots the values of the plan that was measured before, paler and scaled to the new frame count,
-/// so that strips neither flicker nor move while a new plan is measured. Draws nothing and returns
-/// false if there are none.
+/// so that strips neither flicker nor move while a new plan is measured. Returns
+/// false, and draws nothing, if no plan was measured before.
 bool drawEarlierStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& axis,
                       float top, float bottom);
 
