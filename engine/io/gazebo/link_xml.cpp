@@ -23,10 +23,10 @@ bool isMacro(const pugi::xml_node& node) {
 std::string XmlFile::placeOf(const std::filesystem::path& path,
                              const pugi::xml_node& element) const {
     const std::ptrdiff_t offset = element.offset_debug();
-    if (offset < 0) return path.string();
+    if (offset < 0 || !line_ends) return path.string();
     const auto line =
-        std::lower_bound(line_ends.begin(), line_ends.end(), static_cast<std::size_t>(offset)) -
-        line_ends.begin() + 1;
+        std::lower_bound(line_ends->begin(), line_ends->end(), static_cast<std::size_t>(offset)) -
+        line_ends->begin() + 1;
     return dollytrack::placeOf(path, static_cast<int>(line));
 }
 
@@ -44,16 +44,27 @@ Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most) {
 Result<XmlFile> parseXml(std::string_view text, const std::filesystem::path& path) {
     XmlFile file;
     file.bytes = text.size();
-    for (auto at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) {
-        file.line_ends.push_back(at);
-    }
     const pugi::xml_parse_result parsed = file.document.load_buffer(text.data(), text.size());
+    // Other encodings are converted before they are parsed, so that offsets are not those of
+    // `text`.
+    const bool offsets_are_of_text = parsed.encoding == pugi::encoding_utf8;
     if (!parsed) {
-        const auto line = 1 + std::count(text.begin(), text.begin() + parsed.offset, '\n');
+        std::string where = path.string();
+        if (offsets_are_of_text) {
+            const auto before = text.substr(0, static_cast<std::size_t>(parsed.offset));
+            where = dollytrack::placeOf(
+                path, static_cast<int>(1 + std::count(before.begin(), before.end(), '\n')));
+        }
         return fail(ErrorCode::BadInput,
                     std::string("the XML cannot be read (") + parsed.description() +
                         "); the file is damaged or truncated",
-                    path.string() + ":" + std::to_string(line));
+                    where);
+    }
+    if (offsets_are_of_text) {
+        file.line_ends.emplace();
+        for (auto at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) {
+            file.line_ends->push_back(at);
+        }
     }
     if (file.document.find_node(isMacro)) {
         return fail(ErrorCode::BadInput,

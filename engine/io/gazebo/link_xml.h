@@ -26,7 +26,8 @@ constexpr std::uint64_t kMostXmlBytes = std::uint64_t{64} << 20U;
 struct XmlFile {
     pugi::xml_document document;
     std::uint64_t bytes = 0;
-    std::vector<std::size_t> line_ends;  // offsets of the line feeds
+    std::optional<std::vector<std::size_t>>
+        line_ends;  // offsets of line feeds; of UTF-8 files only
 
     /// The position of an element as file and line ("room.world:12"); `path` is the file.
     [[nodiscard]] std::string placeOf(const std::filesystem::path& path,

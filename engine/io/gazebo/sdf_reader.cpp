@@ -94,9 +94,9 @@ class SdfReader {
         return objects;
     }
 
-    [[nodiscard]] const std::vector<std::string>& missing() const { return missing_; }
-    [[nodiscard]] const UnknownShapes& unknownShapes() const { return unknown_shapes_; }
-    [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
+    [[nodiscard]] OmittedParts leftOut() const {
+        return {missing_, missing_includes_, unknown_shapes_, doubts_};
+    }
 
   private:
     static std::string nameOf(const pugi::xml_node& node) {
@@ -189,7 +189,10 @@ class SdfReader {
         const std::optional<fs::path>& file = found->second;
         const std::string_view standard = file ? std::string_view() : standardModel(uri);
         if (!file && standard.empty()) {
+            const std::string name = cleanText(textOf(frame.node.child("name")));
             missing_.push_back(cleanText(uri));
+            missing_includes_.push_back(name.empty() ? fs::path(missing_.back()).filename().string()
+                                                     : name);
             return {};
         }
         const fs::path path = file.value_or(fs::path(uri));
@@ -458,8 +461,9 @@ class SdfReader {
     std::vector<LinkObject> links_;
     std::vector<const Scope*> scope_of_link_;
     std::vector<Eigen::Affine3d> saved_from_loaded_;  // of each link, in the scene
-    std::vector<std::size_t> first_;  // disjoint sets of joined links: parent of each link
-    std::vector<std::string> missing_;
+    std::vector<std::size_t> first_;    // disjoint sets of joined links: parent of each link
+    std::vector<std::string> missing_;  // models
+    std::vector<std::string> missing_includes_;  // by name
     UnknownShapes unknown_shapes_;
     std::vector<std::string> doubts_;
     std::map<fs::path, std::unique_ptr<XmlFile>> documents_;
@@ -490,9 +494,7 @@ Result<RawScene> readSdf(const fs::path& path, const ImportOptions& options,
     if (Status read = reader.read(sdf, absoluteNormal(path), *xml); !read) {
         return tl::unexpected(read.error());
     }
-    return sceneOfLinks(reader.objects(), files,
-                        {reader.missing(), reader.unknownShapes(), reader.doubts()}, path.string(),
-                        job);
+    return sceneOfLinks(reader.objects(), files, reader.leftOut(), path.string(), job);
 }
 
 }  // namespace dollytrack::gazebo

@@ -332,7 +332,7 @@ Result<RawScene> readUrdfModel(const fs::path& path, const ReachableFiles& files
     UrdfReader reader(path, *xml, job);
     const Result<std::vector<LinkObject>> links = reader.read(robot);
     if (!links) return tl::unexpected(links.error());
-    return sceneOfLinks(*links, ModelPath(files), {{}, reader.unknownShapes(), reader.doubts()},
+    return sceneOfLinks(*links, ModelPath(files), {{}, {}, reader.unknownShapes(), reader.doubts()},
                         path.string(), job);
 }
 

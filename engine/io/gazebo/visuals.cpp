@@ -67,6 +67,7 @@ class SceneOfLinks {
 
     Result<RawScene> build(const std::vector<LinkObject>& links, const OmittedParts& left_out) {
         missing_ = left_out.models;
+        missing_includes_ = left_out.includes;
         unknown_shapes_ = left_out.shapes;
         addDoubts(left_out.doubts);
         std::map<std::pair<fs::path, std::string>, std::optional<std::size_t>> found;
@@ -298,6 +299,7 @@ class SceneOfLinks {
             "model or mesh was not found and is left out; give the folder around it with --models",
             "models or meshes were not found and are left out; give the folder around them with "
             "--models");
+        say(missing_includes_, "<include> is left out", "<include>s are left out");
         say(absent_,
             "mesh is not in the folder of its model and is left out; copy or download the whole "
             "model",
@@ -347,6 +349,7 @@ class SceneOfLinks {
     std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> painted_;
     std::map<std::size_t, std::string> name_in_mesh_;  // the node's name in the file, by part
     std::vector<std::string> missing_;                 // models and meshes, by address
+    std::vector<std::string> missing_includes_;        // by name
     std::vector<std::string> absent_;                  // meshes that a model's folder lacks
     std::vector<std::string> other_case_;  // meshes found only by ignoring upper and lower case
     std::vector<std::string> incomplete_;  // objects with such meshes

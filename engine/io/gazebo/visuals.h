@@ -36,7 +36,8 @@ using UnknownShapes = std::map<std::string, std::size_t>;
 
 /// The parts of a scene that are left out.
 struct OmittedParts {
-    std::vector<std::string> models;  // that were not found
+    std::vector<std::string> models;    // that were not found
+    std::vector<std::string> includes;  // names of the <include>s of these models
     UnknownShapes shapes;
     std::vector<std::string> doubts;  // warnings, each with file and line
 };

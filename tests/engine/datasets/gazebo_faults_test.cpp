@@ -109,6 +109,16 @@ TEST(Gazebo, TheCauseOfAMissingMeshIsNamed) {
     }
 }
 
+TEST(Gazebo, MissingModelsNameTheirIncludes) {
+    const TempFolder folder;
+    const std::string include = "<include><uri>model://sofa</uri>";
+    const Scene scene = imported(
+        folder.write("room.world", world(modelAt(0, "ball", kBall) + include +
+                                         "<name>red</name></include>" + include + "</include>")));
+    EXPECT_TRUE(says(scene.report.warnings, "--models: model://sofa"));
+    EXPECT_TRUE(says(scene.report.warnings, "2 <include>s are left out: red, sofa"));
+}
+
 TEST(Gazebo, IncludesThatAreMissingCountToo) {
     const TempFolder folder;
     std::string text = modelAt(0, "ball", kBall);
@@ -223,6 +233,21 @@ TEST(Gazebo, FaultsAreNamedWithTheirLine) {
         folder.write("room.world", world("<include><uri>model://sofa</uri></include>")));
     ASSERT_FALSE(included);
     EXPECT_EQ(included.error().where, sofa.string() + ":3");
+}
+
+// The parser converts Latin-1, so that its positions may lie behind the end of the file.
+TEST(Gazebo, FaultsOfOtherEncodingsAreNamedWithTheirFile) {
+    const TempFolder folder;
+    const std::string begin = "<?xml version='1.0' encoding='latin1'?><sdf version='1.6'><!--" +
+                              std::string(1000, '\xe9') + "-->";
+    for (const char* rest : {"<world",
+                             "<model name='m'><link name='l'><pose>x</pose>"
+                             "</link></model></sdf>"}) {
+        const auto path = folder.write("room.world", begin + rest);
+        const Result<Scene> scene = importScene(path);
+        ASSERT_FALSE(scene);
+        EXPECT_EQ(scene.error().where, path.string()) << scene.error().message;
+    }
 }
 
 TEST(Gazebo, JointsOfMissingLinksAreNamed) {
