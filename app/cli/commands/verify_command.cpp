@@ -34,20 +34,23 @@ struct Verified {
     std::string no_scene;  // why the scene was not found; checks that need it are skipped
     render::PictureTally pictures;
 
-    /// Number of checks skipped because the scene is missing.
-    [[nodiscard]] std::ptrdiff_t unproven() const {
-        if (no_scene.empty()) return 0;
-        return std::count_if(results.begin(), results.end(),
-                             [&](const CheckResult& result) { return result.skipped == no_scene; });
+    enum class Skip { None, NoFiles, NoScene, NoLibrary };
+
+    /// Why a check was skipped: the dataset lacks its files, the scene was not found, or a library
+    /// is not installed.
+    [[nodiscard]] Skip skipOf(const CheckResult& result) const {
+        if (result.skipped.empty()) return Skip::None;
+        if (!no_scene.empty() && result.skipped == no_scene) return Skip::NoScene;
+        const char* library = result.check->missing ? result.check->missing() : nullptr;
+        return library != nullptr && result.skipped == library ? Skip::NoLibrary : Skip::NoFiles;
     }
-    /// Number of checks skipped because a library is not installed.
-    [[nodiscard]] std::ptrdiff_t withoutLibrary() const {
-        return std::count_if(results.begin(), results.end(), [](const CheckResult& result) {
-            const char* missing = result.check->missing ? result.check->missing() : nullptr;
-            return missing != nullptr && result.skipped == missing;
-        });
+    [[nodiscard]] std::ptrdiff_t count(Skip skip) const {
+        return std::count_if(results.begin(), results.end(),
+                             [&](const CheckResult& result) { return skipOf(result) == skip; });
     }
 };
+
+using Skip = Verified::Skip;
 
 /// The unusable images that dataset.json lists, which the check "usable" verifies. They do not
 /// count as damage.
@@ -63,16 +66,17 @@ render::PictureTally picturesOf(const verify::StoredDataset& dataset) {
 /// library.
 std::string verdictOf(const Verified& verified) {
     if (!verify::isSound(verified.results)) return "DAMAGED";
-    const bool is_whole = verified.unproven() == 0 && verified.withoutLibrary() == 0;
+    const bool is_whole =
+        verified.count(Skip::NoScene) == 0 && verified.count(Skip::NoLibrary) == 0;
     return is_whole ? "sound" : "sound as far as checked";
 }
 
 /// The reasons for skipped checks: " (3 concern files that were not exported; 2 need the scene:
 /// name it with --scene)".
-std::string whySkipped(const Verified& verified, std::ptrdiff_t skipped) {
-    const std::ptrdiff_t unproven = verified.unproven();
-    const std::ptrdiff_t libraries = verified.withoutLibrary();
-    const std::ptrdiff_t absent = skipped - unproven - libraries;
+std::string whySkipped(const Verified& verified) {
+    const std::ptrdiff_t absent = verified.count(Skip::NoFiles);
+    const std::ptrdiff_t unproven = verified.count(Skip::NoScene);
+    const std::ptrdiff_t libraries = verified.count(Skip::NoLibrary);
     std::vector<std::string> reasons;
     if (absent > 0) {
         reasons.push_back(fmt::format("{} concern{} files that were not exported", absent,
@@ -122,7 +126,7 @@ nlohmann::json toJson(const Verified& verified) {
             {"files", verified.files},
             {"sound", verify::isSound(verified.results)},
             {"pictures", render::pictureTallyJson(verified.pictures)},
-            {"unproven_without_scene", verified.unproven()},
+            {"unproven_without_scene", verified.count(Skip::NoScene)},
             {"checks", std::move(checks)}};
 }
 
@@ -137,30 +141,47 @@ std::string textOf(const Finding& finding) {
     return text;
 }
 
+/// Prints a check and its first `show` findings.
+void print(const CheckResult& result, int show, std::size_t width) {
+    fmt::print("  {:<20} {:<8} {}\n", result.check->name,
+               result.failed() ? "FAILED" : statusOf(result),
+               result.skipped.empty() ? result.check->text : result.skipped.c_str());
+    const auto& first = result.findings.first;
+    const std::size_t shown = std::min(first.size(), static_cast<std::size_t>(show));
+    for (std::size_t i = 0; i < shown; ++i) {
+        fmt::print("{}", wrapped(textOf(first[i]), width, 8, "      - "));
+    }
+    if (result.findings.count > shown && result.failed()) {
+        fmt::print("      and {} more\n", result.findings.count - shown);
+    }
+}
+
+/// Prints the checks, those without files in the dataset as a list of names, and the verdict.
 void print(const Verified& verified, int show) {
     fmt::print("{}: {} frames, {} files\n\n", verified.folder, verified.frames, verified.files);
     const std::size_t width = terminalWidth();
-    int passed = 0, failed = 0, skipped = 0;
+    std::vector<const char*> without_files;
     for (const CheckResult& result : verified.results) {
-        passed += result.passed() ? 1 : 0;
-        failed += result.failed() ? 1 : 0;
-        skipped += result.skipped.empty() ? 0 : 1;
-        fmt::print("  {:<20} {:<8} {}\n", result.check->name,
-                   result.failed() ? "FAILED" : statusOf(result),
-                   result.skipped.empty() ? result.check->text : result.skipped.c_str());
-        const auto& first = result.findings.first;
-        const std::size_t shown = std::min(first.size(), static_cast<std::size_t>(show));
-        for (std::size_t i = 0; i < shown; ++i) {
-            fmt::print("{}", wrapped(textOf(first[i]), width, 8, "      - "));
+        if (verified.skipOf(result) == Skip::NoFiles) {
+            without_files.push_back(result.check->name);
+        } else {
+            print(result, show, width);
         }
-        if (result.findings.count > shown && result.failed()) {
-            fmt::print("      and {} more\n", result.findings.count - shown);
-        }
+    }
+    if (!without_files.empty()) {
+        fmt::print("{}", wrapped(fmt::format("{}", fmt::join(without_files, ", ")), width, 4,
+                                 "  skipped, as their files were not exported: "));
     }
     const std::string unusable = render::unusableText(verified.pictures);
     if (!unusable.empty()) fmt::print("\nnote: {}\n", unusable);
-    fmt::print("\n{} passed, {} failed, {} skipped{}: {}\n\n", passed, failed, skipped,
-               whySkipped(verified, skipped), verdictOf(verified));
+    const auto& results = verified.results;
+    const auto passed = std::count_if(results.begin(), results.end(),
+                                      [](const CheckResult& result) { return result.passed(); });
+    const auto failed = std::count_if(results.begin(), results.end(),
+                                      [](const CheckResult& result) { return result.failed(); });
+    fmt::print("\n{} passed, {} failed, {} skipped{}: {}\n\n", passed, failed,
+               static_cast<std::ptrdiff_t>(results.size()) - verified.count(Skip::None),
+               whySkipped(verified), verdictOf(verified));
 }
 
 Result<Verified> verifyOne(const fs::path& folder, const VerifyArguments& arguments,

@@ -1,6 +1,7 @@
 """Runs `dollytrack verify` on an untouched dataset and on damaged ones: verify_test.py PROGRAM."""
 import json
 import pathlib
+import re
 import shutil
 import tempfile
 import unittest
@@ -259,7 +260,11 @@ class VerifyTest(FolderCase):
                      "rgb,depth", "--formats", "camera_json")
         self.assertEqual(export.returncode, 0, export.stderr)
         near = run("-q", "verify", out, "--scene", self.folder / "room.obj").stdout
-        skipped = near.count(" skipped  ")
+        names = re.search(r"not exported: (.*?)\n\n", near, re.DOTALL).group(1).split(",")
+        skipped = len(names)
+        self.assertEqual({name.strip() for name in names},
+                         {name for name, check in self.verify(out)[1].items()
+                          if check["status"] == "skipped"})
         self.assertGreater(skipped, 5)
         self.assertIn(f"{skipped} skipped ({skipped} concern files that were not exported): sound",
                       near)
