@@ -243,18 +243,21 @@ Label LabelTable::find(std::string_view name) const {
     Label weak;
     Label part;
     std::size_t best_end = 0;
+    std::size_t weak_end = 0;
     bool described = false;   // after a preposition that is not part of a pattern
     std::size_t spanned = 0;  // words before this index belong to a matched pattern
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (i >= spanned && i > 0 && isPreposition(words[i])) described = true;
         if (best.kind == LabelKind::Target && i == best_end && isTrailingAdjective(words[i])) {
-            described = described || !beginsPattern(words, i);  // 'high chair' is a pattern of its own
+            described =
+                described || !beginsPattern(words, i);  // 'high chair' is a pattern of its own
         }
         if (described && best.kind != LabelKind::None) break;
         for (std::size_t n = std::min(longest_, words.size() - i); n > 0; --n) {
             const std::string text = join(words, i, n);
             const auto found = entries_.find(text);
             if (found == entries_.end()) continue;
+            if (i + n <= weak_end) break;  // "board" in "gypsum board"
             // "DarkWoodMat" and "GlassTableMat" name materials.
             const bool is_material =
                 text == "mat" && (weak.kind != LabelKind::None || best.kind != LabelKind::None);
@@ -267,6 +270,7 @@ Label LabelTable::find(std::string_view name) const {
                 part = {LabelKind::Part, best.nyu40, text};
             } else if (label.kind == LabelKind::Weak) {
                 weak = label;
+                weak_end = i + n;
             } else if (label.kind == LabelKind::Part) {
                 part = label;
             } else if (i + n > best_end) {

@@ -76,9 +76,12 @@ SortedItems sortItems(const std::vector<Object>& objects) {
     };
     std::stable_sort(items.begin(), items.end(),
                      [&](const Item& a, const Item& b) { return planSize(a) > planSize(b); });
+    // The horizontal extent of the largest group without the first items; 0 if it is a ground
+    // alone.
     const auto restAfter = [&](std::size_t k) {
-        const Eigen::AlignedBox3d rest = groupsOf(items, k + 1).front().bounds;
-        return std::max(rest.sizes().x(), rest.sizes().y());
+        constexpr double kLowest_m = 0.5;
+        const Eigen::Vector3d rest = groupsOf(items, k + 1).front().bounds.sizes();
+        return rest.z() < kLowest_m ? 0.0 : std::max(rest.x(), rest.y());
     };
     // A sky may contain a ground that contains the house: removes each object that is huge compared
     // with all smaller ones, and all larger objects.

@@ -160,6 +160,8 @@ TEST(LabelTable, KnowsTheMainNounOfRealNames) {
                                             {"wardrobeWithSlidingDoors", "cabinet"},
                                             {"Table lamp", "lamp"},
                                             {"Toilet paper dispenser", "otherprop"},
+                                            {"CompoundCeiling:GypsumBoard", "ceiling"},
+                                            {"GypsumBoard", "wall"},
                                             {"Wall lamp", "lamp"}}) {
         const Label label = LabelTable::builtIn().find(c.name);
         EXPECT_EQ(nyu40Name(label.nyu40), c.nyu40) << c.name << " by pattern " << label.pattern;

@@ -198,6 +198,19 @@ TEST(SceneImport, ReadsGltfAsMetresAndYUp) {
     EXPECT_NEAR(scene.room_bounds.max().z(), 1.0, 1e-6);
 }
 
+TEST(SceneImport, CopiesInIfcModelsHaveTheNameOfTheirProduct) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("quad.bin", quadBytes()));
+    std::string text = gltfQuad(R"(},{"name":"IfcWindow_Fixed","children":[0]},
+{"name":"IfcBuildingStorey_Level1","children":[1])");
+    text.replace(text.find("painting"), 8, "IfcMappedItem_node_3");
+    text.replace(text.find("\"nodes\":[0]"), 11, "\"nodes\":[2]");
+    const Scene scene = imported(folder.write("quad.gltf", text));
+    ASSERT_EQ(scene.objects.size(), 1U);
+    EXPECT_EQ(scene.objects[0].name, "IfcWindow_Fixed");
+    EXPECT_EQ(scene.objects[0].nyu40, nyu40FromName("window"));
+}
+
 TEST(SceneImport, TurnsMirroredFacesBack) {
     const TempFolder folder;
     static_cast<void>(folder.write("quad.bin", quadBytes()));
@@ -275,6 +288,26 @@ TEST(SceneImport, TellsWallsAndFloorByShapeWhenNamesDoNot) {
     EXPECT_EQ(find(scene, "aa4")->nyu40, kNyuCeiling);
     EXPECT_EQ(find(scene, "aa5")->role, Role::Target);
     EXPECT_EQ(find(scene, "aa6")->role, Role::Target);
+}
+
+TEST(SceneImport, MeshesStayAsTheyAreIfAsked) {
+    const TempFolder folder;
+    ObjWriter obj;
+    obj.object("Cube").room({5, 4, 2.6}, false);
+    // Three boxes on each other, whose names a modelling program generated, and two distant ones.
+    obj.object("Cube.001").box({1, 1, 0}, {1.3, 1.3, 0.3});
+    obj.object("Cube.002").box({1, 1, 0.3}, {1.3, 1.3, 0.6});
+    obj.object("Cube.003").box({1, 1, 0.6}, {1.3, 1.3, 0.9});
+    obj.object("Cube.004").box({3, 3, 0}, {3.4, 3.4, 0.4}).box({0.5, 3, 0}, {0.9, 3.4, 0.4});
+    const auto path = folder.write("room.obj", obj.text());
+    EXPECT_LT(countTargets(imported(path)), 4);
+    ImportOptions keep;
+    keep.regroup = false;
+    const Scene scene = imported(path, keep);
+    ASSERT_EQ(scene.objects.size(), 5U);
+    for (const char* name : {"Cube.001", "Cube.002", "Cube.003", "Cube.004"}) {
+        EXPECT_NE(find(scene, name), nullptr) << name;
+    }
 }
 
 TEST(SceneImport, TakesASceneInOneNodeApart) {

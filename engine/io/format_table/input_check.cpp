@@ -52,8 +52,9 @@ std::string_view adviceFor(std::string_view extension, std::string_view head) {
           "bpy; bpy.ops.export_scene.gltf(filepath='out.glb', export_apply=True)\""},
          {{".ifc", ".ifczip"},
           "ISO-10303-21",
-          "this is an IFC building model; convert it with \"assimp export in.ifc out.obj\" "
-          "(Debian's assimp-utils)"},
+          "this is an IFC building model; convert it with \"assimp export in.ifc out.glb\" "
+          "(Debian's assimp-utils); if assimp fails, which it does for many IFC4 files, use "
+          "IfcConvert from ifcopenshell.org"},
          {{".usd", ".usda", ".usdc", ".usdz"},
           "PXR-USDC",
           "USD cannot be read, and Debian's Blender lacks it, too; open it in Blender 4 from "
@@ -103,7 +104,7 @@ std::string_view adviceForPart(const Path& path) {
         std::string_view ending;
         std::string_view advice;
     };
-    static constexpr std::array<Part, 29> kParts = {
+    static constexpr std::array<Part, 30> kParts = {
         {{".mtl", "this is the table of materials of an OBJ file; name the .obj beside it"},
          {".bin", "this is likely the data of a glTF file; name the .gltf beside it"},
          {".zip", "this is an archive; unpack it and name the scene file inside"},
@@ -128,6 +129,8 @@ std::string_view adviceForPart(const Path& path) {
          {".aggregation.json",
           "this lists the objects of a ScanNet scan; name its _vh_clean_2.ply"},
          {".segs.json", "this lists the segments of a ScanNet scan; name its _vh_clean_2.ply"},
+         {"semseg.v2.json",
+          "this lists the objects of a 3RScan scan; name its labels.instances.annotated.v2.ply"},
          {"segments_anno.json",
           "this lists the objects of a ScanNet++ scan; name its mesh_aligned_0.05.ply"},
          {"_3dod_annotation.json",
@@ -177,7 +180,11 @@ std::string adviceForProgram(const std::string& extension) {
     static constexpr std::string_view kCloudCompare =
         "save it as PLY with CloudCompare from cloudcompare.org (Debian's CloudCompare does not "
         "open it)";
-    static constexpr std::array<Converted, 16> kConverted = {
+    static constexpr std::string_view kGodot =
+        "export the scene from Godot (Scene > Export As > glTF 2.0 Scene)";
+    static constexpr std::string_view kUnity =
+        "export the scene from Unity as glTF with its package glTFast";
+    static constexpr std::array<Converted, 20> kConverted = {
         {{".3ds", kAssimp},
          {".spz", kSplats},
          {".sog", kSplats},
@@ -191,6 +198,10 @@ std::string adviceForProgram(const std::string& extension) {
          {".stp", kFreeCad},
          {".iges", kFreeCad},
          {".igs", kFreeCad},
+         {".tscn", kGodot},
+         {".scn", kGodot},
+         {".unity", kUnity},
+         {".prefab", kUnity},
          {".e57", kCloudCompare},
          {".las", kCloudCompare},
          {".laz", kCloudCompare}}};
@@ -252,10 +263,11 @@ Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) 
                     where);
     }
     if (extension == ".xml" && head.find("<mujoco") != std::string_view::npos) {
-        return fail(ErrorCode::BadInput,
-                    "MuJoCo models cannot be read; export the scene as glTF or URDF from the "
-                    "program that made it",
-                    where);
+        return fail(
+            ErrorCode::BadInput,
+            "MuJoCo models cannot be read; convert the model to URDF, or name one of its mesh "
+            "files (.obj, .stl)",
+            where);
     }
     std::string kinds;
     for (const SceneFormat& format : sceneFormats()) {

@@ -51,6 +51,11 @@ std::optional<Eigen::Vector4f> visualColor(const pugi::xml_node& visual) {
     return color;
 }
 
+std::string unreadScript(const pugi::xml_node& visual) {
+    std::string name = textOf(visual.child("material").child("script").child("name"));
+    return namedColor(name) ? std::string() : name;
+}
+
 float visualOpacity(const pugi::xml_node& visual) {
     const auto hidden = numbersOf(visual.child_value("transparency"));
     if (!hidden || hidden->size() != 1) return 1.0F;

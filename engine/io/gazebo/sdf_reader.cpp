@@ -95,7 +95,7 @@ class SdfReader {
     }
 
     [[nodiscard]] OmittedParts leftOut() const {
-        return {missing_, missing_includes_, unknown_shapes_, doubts_};
+        return {missing_, missing_includes_, unread_scripts_, unknown_shapes_, doubts_};
     }
 
   private:
@@ -415,6 +415,9 @@ class SdfReader {
         visual.color = visualColor(node);
         visual.opacity = visualOpacity(node);
         if (!(visual.opacity > 0.0F)) return {};
+        if (std::string script = unreadScript(node); !script.empty()) {
+            unread_scripts_.push_back(cleanText(script));
+        }
         const pugi::xml_node geometry = node.child("geometry");
         if (const pugi::xml_node mesh = geometry.child("mesh")) {
             if (Status read = readMesh(mesh, scope, object.name, visual); !read) return read;
@@ -464,6 +467,7 @@ class SdfReader {
     std::vector<std::size_t> first_;    // disjoint sets of joined links: parent of each link
     std::vector<std::string> missing_;  // models
     std::vector<std::string> missing_includes_;  // by name
+    std::vector<std::string> unread_scripts_;
     UnknownShapes unknown_shapes_;
     std::vector<std::string> doubts_;
     std::map<fs::path, std::unique_ptr<XmlFile>> documents_;

@@ -68,6 +68,7 @@ class SceneOfLinks {
     Result<RawScene> build(const std::vector<LinkObject>& links, const OmittedParts& left_out) {
         missing_ = left_out.models;
         missing_includes_ = left_out.includes;
+        unread_scripts_ = left_out.scripts;
         unknown_shapes_ = left_out.shapes;
         addDoubts(left_out.doubts);
         std::map<std::pair<fs::path, std::string>, std::optional<std::size_t>> found;
@@ -222,12 +223,10 @@ class SceneOfLinks {
         return at->second;
     }
 
-    /// If the only object with meshes is as large as a room and has meshes of several names, it is
-    /// a building with its furniture: its objects are then found by these names, as in the mesh
-    /// file alone.
+    /// If the only object with meshes is as large as a room, it is a building with its furniture:
+    /// its objects are then found by the names of its meshes, as in the mesh file alone.
     void splitBuilding() {
         constexpr float kRoom_m = 4.0F;
-        constexpr std::size_t kFewestNames = 4;
         const auto hasMeshes = [&](const SourceObject& object) {
             return std::ranges::any_of(
                 object.parts, [&](std::size_t part) { return name_in_mesh_.contains(part); });
@@ -241,7 +240,7 @@ class SceneOfLinks {
             const auto name = name_in_mesh_.find(part);
             if (name != name_in_mesh_.end()) nodes[name->second] = 0;
         }
-        if (box.sizes().head<2>().minCoeff() < kRoom_m || nodes.size() < kFewestNames) return;
+        if (box.sizes().head<2>().minCoeff() < kRoom_m || nodes.empty()) return;
         for (auto& [name, node] : nodes) {
             node = static_cast<int>(scene_.nodes.size());
             scene_.nodes.push_back({name, 0, 0});
@@ -311,6 +310,11 @@ class SceneOfLinks {
             "meshes are left out, since their files' names differ in upper and lower case; rename "
             "the files");
         say(incomplete_, "object lacks a mesh", "objects lack a mesh");
+        say(unread_scripts_,
+            "material script is not read, so its colours and textures are missing; give the mesh "
+            "these materials",
+            "material scripts are not read, so their colours and textures are missing; give the "
+            "meshes these materials");
         say(unreadable_, "mesh cannot be read and is left out; export it again",
             "meshes cannot be read and are left out; export them again");
         say(unmatched_, "submesh is not in its mesh and is left out; correct its name",
@@ -350,6 +354,7 @@ class SceneOfLinks {
     std::map<std::size_t, std::string> name_in_mesh_;  // the node's name in the file, by part
     std::vector<std::string> missing_;                 // models and meshes, by address
     std::vector<std::string> missing_includes_;        // by name
+    std::vector<std::string> unread_scripts_;          // by name
     std::vector<std::string> absent_;                  // meshes that a model's folder lacks
     std::vector<std::string> other_case_;  // meshes found only by ignoring upper and lower case
     std::vector<std::string> incomplete_;  // objects with such meshes

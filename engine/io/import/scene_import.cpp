@@ -111,18 +111,19 @@ void regroupMaterialSplit(const RawScene& raw, bool regroup, std::vector<ObjectD
     noteMaterialSplit(*found, objects, report);
 }
 
-/// Splits, regroups and merges the drafts of nodes into drafts of objects.
+/// Splits, regroups and merges the drafts of nodes into drafts of objects. Without `regroup`, each
+/// draft stays an object.
 void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
                  std::vector<ObjectDraft>& drafts, ImportReport& report) {
     dropNamesOfJoinedScenes(raw, drafts);
     MaterialMeshes meshes = regroupMaterialMeshes(raw, labels, drafts, regroup);
-    const std::size_t scattered = splitScattered(raw, labels, drafts);
+    const std::size_t scattered = regroup ? splitScattered(raw, labels, drafts) : 0;
     if (scattered > 0) {
         report.notes.push_back(
             counted(scattered, "node contained distant parts, which became separate objects",
                     "nodes contained distant parts, which became separate objects"));
     }
-    const std::size_t split = splitMergedScenes(raw, labels, drafts);
+    const std::size_t split = regroup ? splitMergedScenes(raw, labels, drafts) : 0;
     if (split > 0) {
         report.warnings.push_back(
             "the file does not separate its objects; they were found as connected pieces; check "
@@ -134,7 +135,8 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
     });
     noteMaterialMeshes(meshes, regroup, report);
     const std::vector<bool> structure = findStructure(raw, drafts);
-    const std::vector<MergedPiece> merges = mergePieces(raw, structure, drafts);
+    std::vector<MergedPiece> merges;
+    if (regroup) merges = mergePieces(raw, structure, drafts);
     nameObjects(drafts);
     noteMerges(merges, drafts, report);
     regroupMaterialSplit(raw, regroup, drafts, report);

@@ -52,16 +52,16 @@ constexpr std::array<SlotName, 23> kSlotNames = {{{"x", X},
 /// Names of label properties, in lower case and without CloudCompare's "scalar_". If several fill
 /// one slot, the first in this list is used.
 constexpr std::array<SlotName, 28> kLabelNames = {
-    {{"object_id", ObjectId}, {"objectid", ObjectId},       {"obj_id", ObjectId},
-     {"object", ObjectId},    {"instance_id", ObjectId},    {"instanceid", ObjectId},
-     {"instance", ObjectId},  {"instance_label", ObjectId}, {"ins_label", ObjectId},
-     {"ins_id", ObjectId},    {"inst_id", ObjectId},        {"label", ClassId},
-     {"labels", ClassId},     {"label_id", ClassId},        {"category_id", ClassId},
-     {"class_id", ClassId},   {"semantic_id", ClassId},     {"semantic", ClassId},
-     {"semantics", ClassId},  {"semantic_label", ClassId},  {"sem_label", ClassId},
-     {"classid", ClassId},    {"class", ClassId},           {"category", ClassId},
-     {"nyu40", ClassId},      {"nyu40_id", ClassId},        {"nyu40id", ClassId},
-     {"nyu_label", ClassId}}};
+    {{"object_id", ObjectId},  {"objectid", ObjectId},       {"obj_id", ObjectId},
+     {"object", ObjectId},     {"instance_id", ObjectId},    {"instanceid", ObjectId},
+     {"instance", ObjectId},   {"instance_label", ObjectId}, {"ins_label", ObjectId},
+     {"ins_id", ObjectId},     {"inst_id", ObjectId},        {"nyu40", ClassId},
+     {"nyu40_id", ClassId},    {"nyu40id", ClassId},         {"nyu_label", ClassId},
+     {"label", ClassId},       {"labels", ClassId},          {"label_id", ClassId},
+     {"category_id", ClassId}, {"class_id", ClassId},        {"semantic_id", ClassId},
+     {"semantic", ClassId},    {"semantics", ClassId},       {"semantic_label", ClassId},
+     {"sem_label", ClassId},   {"classid", ClassId},         {"class", ClassId},
+     {"category", ClassId}}};
 
 constexpr std::size_t kNowhere = -1;
 
@@ -85,6 +85,13 @@ std::array<std::size_t, kSlots> slotsOf(const PlyElement& element) {
     for (const SlotName& row : kSlotNames) fill(row, [](const std::string& name) { return name; });
     for (const SlotName& row : kLabelNames) fill(row, labelNameOf);
     return properties;
+}
+
+/// Whether an element's class numbers are NYU40's, by the name of their property.
+bool classesAreNyu40(const PlyElement& element, const std::array<std::size_t, kSlots>& slots) {
+    const std::size_t property = slots[ClassId];
+    return property != kNowhere &&
+           labelNameOf(element.properties[property].name).starts_with("nyu");
 }
 
 /// Records integer properties that fill no slot, except those that are known not to be labels.
@@ -198,6 +205,7 @@ class PlyReader {
         };
         if (!has(X, Z)) return skip(element);
         noteUnread(element, slots, mesh_.unread_numbers);
+        mesh_.classes_are_nyu40 |= classesAreNyu40(element, slots);
         const float color_scale =
             has(Red, Blue) ? scaleOfColor(element.properties[slots[Red]].kind) : 0.0F;
         for (at_ = 0; at_ < element.count; ++at_) {
@@ -239,6 +247,7 @@ class PlyReader {
         const std::size_t places = listNamed(element, "texcoord", "texcoord");
         if (corners == kNowhere) return skip(element);
         noteUnread(element, slots, mesh_.unread_numbers);
+        mesh_.classes_are_nyu40 |= classesAreNyu40(element, slots);
         for (at_ = 0; at_ < element.count; ++at_) {
             if (!readRecord(element)) return false;
             const std::vector<double>& face = lists_[corners];

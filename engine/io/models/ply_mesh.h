@@ -29,7 +29,8 @@ struct PlyMesh {
     std::vector<std::int64_t> face_classes;
     std::vector<std::int64_t> position_objects;
     std::vector<std::int64_t> position_classes;
-    std::string texture;  // file name; empty: none
+    bool classes_are_nyu40 = false;  // otherwise they are the file's own
+    std::string texture;             // file name; empty: none
     /// Names of other integer properties, such as "segment of faces".
     std::vector<std::string> unread_numbers;
 };

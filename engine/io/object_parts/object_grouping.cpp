@@ -41,6 +41,8 @@ class NodeOwners {
         const Label& child_label = labels_[child];
         const Label& parent_label = labels_[parent];
         const std::string inner = lettersAndDigits(raw_.nodes[child].name);
+        // In an IFC model, a copy of a shape has this name, and the product around it the real one.
+        if (inner.starts_with("ifcmappeditem")) return true;
         const std::string outer = lettersAndDigits(withoutNumber(raw_.nodes[parent].name));
         // "Sofa" contains "Sofa_wood_0" and "Shelf" contains "Shelf_mesh.001" as parts, but
         // "Kitchen" contains "Kitchen_table" as an object of its own.

@@ -53,7 +53,9 @@ void weighFileAxis(const RawScene& raw, const FrameEvidence& evidence, FrameChoi
     if (!raw.objects.empty()) return;
     const std::vector<UpEvidence> ranked = scoreUpAxes(evidence);
     if (!contradicts(evidence, ranked, raw.file_up_axis, kOverwhelming)) {
-        if (contradicts(evidence, ranked, raw.file_up_axis, kDoubtfulLead)) {
+        const bool is_opposite = ranked.front().axis.letter == raw.file_up_axis.letter;
+        if (contradicts(evidence, ranked, raw.file_up_axis,
+                        is_opposite ? kUpsideDownLead : kDoubtfulLead)) {
             choice.likelier_up = ranked.front().axis;
         }
         return;

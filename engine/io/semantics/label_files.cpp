@@ -114,12 +114,11 @@ Result<LabelNames> readHouse(const fs::path& path) {
     return names;
 }
 
-/// ScanNet and ScanNet++: objects as lists of segments, and the segment of each vertex.
+/// ScanNet and ScanNet++: objects as lists of segments, and the segment of each vertex. 3RScan has
+/// no file of `segments`: its vertices have the numbers of their objects.
 Result<LabelNames> readSegments(const fs::path& groups, const fs::path& segments) {
     const Result<json> said = readBoundedJson(groups);
     if (!said) return tl::unexpected(said.error());
-    const Result<json> vertices = readBoundedJson(segments);
-    if (!vertices) return tl::unexpected(vertices.error());
     LabelNames names;
     for (const json& group : listIn(*said, "segGroups")) {
         auto id = wholeNumber(group, "objectId");
@@ -130,6 +129,9 @@ Result<LabelNames> readSegments(const fs::path& groups, const fs::path& segments
             if (const auto number = wholeNumber(segment)) names.of_segment[*number] = *id;
         }
     }
+    if (segments.empty()) return names;
+    const Result<json> vertices = readBoundedJson(segments);
+    if (!vertices) return tl::unexpected(vertices.error());
     for (const json& segment : listIn(*vertices, "segIndices")) {
         names.segments.push_back(wholeNumber(segment).value_or(-1));
     }
@@ -169,6 +171,14 @@ std::optional<LabelledFiles> findScanNetPp(const fs::path& mesh) {
     const fs::path segments = mesh.parent_path() / "segments.json";
     if (!hasFile(groups) || !hasFile(segments)) return std::nullopt;
     return LabelledFiles{mesh, {}, LabelFileKind::ScanNetPpSegments, groups, segments};
+}
+
+std::optional<LabelledFiles> find3RScan(const fs::path& mesh) {
+    const std::string name = mesh.filename().string();
+    if (!name.starts_with("labels.instances.") || !name.ends_with(".ply")) return std::nullopt;
+    const fs::path groups = mesh.parent_path() / "semseg.v2.json";
+    if (!hasFile(groups)) return std::nullopt;
+    return LabelledFiles{mesh, {}, LabelFileKind::RScanGroups, groups, {}};
 }
 
 std::optional<LabelledFiles> findReplica(const fs::path& mesh) {
@@ -213,7 +223,7 @@ std::optional<LabelledFiles> findHabitat(const fs::path& mesh) {
 }  // namespace
 
 std::optional<LabelledFiles> findLabelledFiles(const fs::path& mesh) {
-    for (const auto find : {findScanNet, findScanNetPp, findReplica, findHabitat}) {
+    for (const auto find : {findScanNet, findScanNetPp, find3RScan, findReplica, findHabitat}) {
         if (auto files = find(mesh)) return files;
     }
     return std::nullopt;
@@ -230,6 +240,7 @@ Result<LabelNames> readLabelNames(const LabelledFiles& files) {
             return readHouse(files.names);
         case LabelFileKind::ScanNetSegments:
         case LabelFileKind::ScanNetPpSegments:
+        case LabelFileKind::RScanGroups:
             return readSegments(files.names, files.segments);
     }
     return LabelNames{};

@@ -28,6 +28,7 @@ enum class LabelFileKind {
     MatterportHouse,    // NAME.house
     ScanNetSegments,    // NAME.aggregation.json and NAME_vh_clean_2.0.010000.segs.json
     ScanNetPpSegments,  // segments_anno.json and segments.json
+    RScanGroups,        // semseg.v2.json
 };
 
 /// A labelled mesh and its label files.
@@ -40,8 +41,8 @@ struct LabelledFiles {
     bool nyu40 = false;              // whether the class numbers are NYU40's (ScanNet)
 };
 
-/// Finds the files of a labelled mesh by the file names of Replica, HM3D, Matterport3D, ScanNet and
-/// ScanNet++; nullopt for a mesh without such files.
+/// Finds the files of a labelled mesh by the file names of Replica, HM3D, Matterport3D, ScanNet,
+/// ScanNet++ and 3RScan; nullopt for a mesh without such files.
 [[nodiscard]] std::optional<LabelledFiles> findLabelledFiles(const std::filesystem::path& mesh);
 
 /// Reads the label files. Error: BadInput.

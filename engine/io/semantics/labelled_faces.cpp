@@ -120,6 +120,7 @@ LabelledFaces byObjects(const std::vector<std::int64_t>& objects,
         at = labelled.objects.size();
         LabelledObject object;
         object.target = number != kLast;
+        if (object.target) object.number = number;
         const auto known = names.categories.find(number);
         if (known != names.categories.end()) object.category = known->second;
         if (const auto found = majority.find(number); found != majority.end()) {
@@ -175,7 +176,8 @@ LabelledFaces byClasses(const PlyMesh& mesh, const std::vector<std::size_t>& fir
 
 }  // namespace
 
-std::optional<LabelledFaces> labelFaces(const PlyMesh& mesh, const LabelNames& names, bool nyu40) {
+std::optional<LabelledFaces> labelFaces(const PlyMesh& mesh, const LabelNames& names) {
+    const bool nyu40 = mesh.classes_are_nyu40;
     const std::vector<std::size_t> first = firstIndices(mesh);
     const std::vector<std::int64_t> objects = objectsOf(mesh, names, first);
     const std::vector<std::int64_t> classes = classesOf(mesh, first);

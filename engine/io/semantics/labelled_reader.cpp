@@ -46,7 +46,8 @@ class ObjectList {
         object.nyu40 = labelled.nyu40;
         object.structure = !labelled.target || isStructureClass(labelled.nyu40);
         std::string base = labelled.category;
-        if (base.empty()) base = labelled.nyu40 > 0 ? nyu40Name(labelled.nyu40) : "object";
+        if (base.empty() && labelled.nyu40 > 0) base = nyu40Name(labelled.nyu40);
+        if (base.empty()) base = fmt::format("instance_{}", labelled.number);
         if (!labelled.target) base = labelled.nyu40 > 0 ? base + " specks" : "unlabelled";
         object.name = names_.next(base);
         object.parts = std::move(parts);
@@ -146,7 +147,8 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
                                 names->segments.size(), mesh->positions.size()),
                     files.segments.string());
     }
-    const std::optional<LabelledFaces> faces = labelFaces(*mesh, *names, files.nyu40);
+    mesh->classes_are_nyu40 |= files.nyu40;
+    const std::optional<LabelledFaces> faces = labelFaces(*mesh, *names);
     if (!faces) {
         return fail(ErrorCode::BadInput,
                     "the labelled mesh has no object numbers (object_id, label); download it again "
@@ -186,7 +188,7 @@ Result<RawScene> readPly(const fs::path& path, const JobContext& job) {
             list.reset();
         }
     }
-    const std::optional<LabelledFaces> faces = labelFaces(*mesh, names, false);
+    const std::optional<LabelledFaces> faces = labelFaces(*mesh, names);
     if (!faces || faces->objects.size() < 2) {
         RawScene scene = sceneOfPly(*mesh);
         noteBoxes(path, scene);
@@ -196,7 +198,7 @@ Result<RawScene> readPly(const fs::path& path, const JobContext& job) {
     if (Status few = checkCount(*faces, path); !few) return tl::unexpected(few.error());
     RawScene scene = sceneOf(*mesh, *faces, list.value_or(fs::path()));
     if (!list_fault.empty()) scene.warnings.push_back(list_fault);
-    if (!list) {
+    if (!list && !mesh->classes_are_nyu40) {
         scene.notes.push_back(
             "the file has numbers of objects or classes without names; name them in " +
             cleanText(path.stem().string()) + ".labels.json ({\"3\": \"chair\"}) beside it");

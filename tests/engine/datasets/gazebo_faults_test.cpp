@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -295,6 +296,44 @@ TEST(Gazebo, LinksWithoutNamesOfTheirOwnArePartsOfOneObject) {
         << "seven balls of radius 1, 1 m apart";
     EXPECT_EQ(imported(folder.write("room.world", chairOf(13))).objects.size(), 13U)
         << "too many for one thing";
+}
+
+TEST(Gazebo, MaterialScriptsThatAreNotReadAreNamed) {
+    const TempFolder folder;
+    const auto painted = [](double x, const std::string& script) {
+        return modelAt(x, script.substr(7),
+                       "<visual name='v'><material><script><name>" + script +
+                           "</name></script></material><geometry><box><size>1 1 1</size></box>"
+                           "</geometry></visual>");
+    };
+    const Scene scene = imported(
+        folder.write("room.world", world(painted(0, "Gazebo/Red") + painted(2, "Custom/cola"))));
+    EXPECT_TRUE(says(scene.report.warnings,
+                     "1 material script is not read, so its colours and textures are missing; give "
+                     "the mesh these materials: Custom/cola"));
+}
+
+// A building on Gazebo's ground plane is the scene, however large it is.
+TEST(Gazebo, TheGroundPlaneIsNoBuilding) {
+    const TempFolder folder;
+    for (const double size_m : {40.0, 400.0}) {
+        std::string mesh = "o house\n";
+        for (const double z : {0.0, 3.0}) {
+            for (const auto& [x, y] : {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
+                mesh += fmt::format("v {} {} {}\n", size_m * x, size_m * y, z);
+            }
+        }
+        mesh += "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+        static_cast<void>(folder.write("house.obj", mesh));
+        const Scene scene = imported(
+            folder.write("room.world", world("<include><uri>model://ground_plane</uri></include>" +
+                                             modelAt(0, "house", meshVisual("house.obj")))));
+        EXPECT_GE(scene.room_bounds.sizes().x(), size_m - 0.1);
+        EXPECT_NEAR(scene.room_bounds.sizes().z(), 3.0, 0.1) << size_m;
+        EXPECT_TRUE(std::ranges::none_of(scene.report.notes, [](const std::string& note) {
+            return note.find("house\" is outside") != std::string::npos;
+        }));
+    }
 }
 
 // An office that is one mesh file in one model.

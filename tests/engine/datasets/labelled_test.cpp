@@ -154,6 +154,36 @@ constexpr const char* kHouseText =
 const Counts kHouse = {
     {"floor", 12}, {"wall", 48}, {"chair", 12}, {"bed side table", 12}, {"lamp", 12}};
 
+TEST(Labelled, RScansVerticesHaveObjectsAndNyu40Classes) {
+    const TempFolder folder;
+    // Objects 1 to 5; as a second number, each vertex has the NYU40 class: floor, wall, three
+    // sofas.
+    std::string ply = asciiPly(trianglesOf(numberedRoom(1, 2, 7, 8, 9)), false, "objectId");
+    ply.insert(ply.find("element face"), "property uchar NYU40\n");
+    std::size_t at = ply.find("end_header\n") + 11;
+    for (int i = 0; i < 64; ++i) {
+        const std::size_t end = ply.find('\n', at);
+        const char number = ply[end - 1];
+        const std::string added = number == '1' ? " 2" : number == '2' ? " 1" : " 6";
+        ply.insert(end, added);
+        at = end + added.size() + 1;
+    }
+    const auto path = folder.write("labels.instances.annotated.v2.ply", ply);
+    const Scene alone = imported(path);
+    EXPECT_EQ(trianglesByName(alone),
+              (Counts{{"floor", 12}, {"wall", 48}, {"sofa", 12}, {"sofa_2", 12}, {"sofa_3", 12}}));
+    EXPECT_EQ(find(alone, "wall")->role, Role::Structure);
+    static_cast<void>(folder.write("semseg.v2.json", R"({"segGroups": [
+ {"objectId": 1, "label": "floor"}, {"objectId": 2, "label": "wall"},
+ {"objectId": 7, "label": "couch"}, {"objectId": 8, "label": "side table"}]})"));
+    const Scene scene = imported(path);
+    EXPECT_EQ(
+        trianglesByName(scene),
+        (Counts{
+            {"floor", 12}, {"wall", 48}, {"couch", 12}, {"side table", 12}, {"unlabelled", 12}}));
+    EXPECT_EQ(find(scene, "couch")->nyu40, nyu40FromName("sofa"));
+}
+
 TEST(Labelled, HabitatsColoursAreTheObjectsOfItsText) {
     const TempFolder folder;
     const Triangles mesh = trianglesOf(numberedRoom(1, 2, 3, 4, 5));

@@ -46,7 +46,7 @@ TEST(PlyMesh, NumbersThatAreNotWholeAreNotLabels) {
         EXPECT_EQ(mesh->face_objects,
                   (std::vector<std::int64_t>{3, -1, -1, -1, -1, -1, -1, -1, -7, 3, 0}));
         // In order of number, unlabelled last.
-        const auto faces = semantics::labelFaces(*mesh, {}, false);
+        const auto faces = semantics::labelFaces(*mesh, {});
         ASSERT_TRUE(faces);
         EXPECT_EQ(faces->of_face, (std::vector<std::size_t>{1, 2, 2, 2, 2, 2, 2, 2, 2, 1, 0}));
         EXPECT_FALSE(faces->objects[2].target);
