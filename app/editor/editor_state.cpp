@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 #include "engine/document/edits_json.h"
+#include "ui/widgets/cut_letters.h"
 #include "ui/widgets/item_map.h"
 
 #include <nlohmann/json.hpp>
@@ -110,6 +111,10 @@ nlohmann::json Editor::stateJson() {
     for (const ui::NamedItem& item : ui::item_map::items()) {
         items[item.name] = {item.left, item.top, item.right, item.bottom, item.enabled};
     }
+    nlohmann::json cut_text = nlohmann::json::array();
+    for (const ui::CutLine& line : ui::cutLines()) {
+        cut_text.push_back({line.text, line.left, line.top, line.right, line.bottom});
+    }
     nlohmann::json state = {
         {"open", workspace_.isOpen()},
         {"project", workspace_.path().string()},
@@ -189,10 +194,16 @@ nlohmann::json Editor::stateJson() {
         {"log_version", log_.version()},
         {"gl_errors", window_.glErrors()},
         {"frames", window_.frames()},
-        {"longest_frame_ms", window_.longestFrame_ms()},
+        {"longest_frame_ms", window_.longestFrame().total_ms},
+        {"longest_frame",
+         {{"widgets_ms", window_.longestFrame().widgets_ms},
+          {"draw_ms", window_.longestFrame().draw_ms},
+          {"swap_ms", window_.longestFrame().swap_ms},
+          {"processor_ms", window_.longestFrame().processor_ms}}},
         {"picture_ms", drawing_.view().milliseconds},
         {"picture_serial", drawing_.view().serial},
         {"items", std::move(items)},
+        {"cut_text", std::move(cut_text)},
     };
     questions_.addTo(state);
     addSceneAndPlanTo(state);

@@ -5,6 +5,7 @@
 #include "app/manual/manual_files.h"
 #include "app/version.h"
 #include "engine/core/log.h"
+#include "ui/widgets/cut_letters.h"
 #include "ui/widgets/item_map.h"
 
 #include <CLI/CLI.hpp>
@@ -62,6 +63,7 @@ int run(const std::string& path, const std::string& socket,
         // The first frame after a request may still change the state; the second one shows it.
         // Queued input events may need a frame each.
         if (inspector && inspector->asked()) {
+            ui::requestCutLines();
             if (!(*window)->hasInput() && ++frames_until_answer > 2) {
                 inspector->answer(shell.stateJson());
                 frames_until_answer = 0;

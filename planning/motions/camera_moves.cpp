@@ -59,7 +59,8 @@ const std::array<MoveKind, 5>& kinds() {
 constexpr double kFill = 0.5;         // share of the image's width or height that an object takes
 constexpr double kDollyStart = 0.25;  // the same where a dolly starts
 constexpr double kWalkHeight = 1.5;   // above the floor, m
-constexpr double kLookAhead = 0.6;    // of a walk: the camera looks at a point this far along it, m
+constexpr double kPositionsFound = 0.2;  // progress
+constexpr double kLookAhead = 0.6;  // of a walk: the camera looks at a point this far along it, m
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 Result<std::optional<double>> numberOf(const MoveRequest& request, const std::string& name) {
@@ -254,6 +255,7 @@ class MoveMaker {
             const ObjectMoves moves(scene_, **target);
             look_at = moves.center();
             if (!*from) positions = around(moves);
+            if (job_.cancelled()) return cancelled();
             if (positions.empty()) {
                 return fail(ErrorCode::BadInput,
                             fmt::format("There is no free space for this move around '{}'; choose "
@@ -264,7 +266,7 @@ class MoveMaker {
         }
         timing_.look_at = look_at;
         return repairAndTime(scene_, timing_, trajectoryThrough(positions, number("time", 0.0)),
-                             job_);
+                             job_.stage(kPositionsFound, 1.0, request_.kind));
     }
 
   private:
@@ -304,7 +306,8 @@ class MoveMaker {
             return {};
         }
         return moves.orbit(radius, heightOr("height", level),
-                           kRadians * number("arc", request_.kind == "arc" ? 90.0 : 360.0));
+                           kRadians * number("arc", request_.kind == "arc" ? 90.0 : 360.0),
+                           job_.stage(0.0, kPositionsFound, request_.kind));
     }
 
     /// First the way, then the viewing directions along it.
@@ -315,6 +318,8 @@ class MoveMaker {
         if (from) {
             corners = {*from, *to};
         } else {
+            job_.report(0.0);
+            if (job_.cancelled()) return cancelled();
             const RoomPlan plan(*scene_.scene, *scene_.rays, *scene_.free_space,
                                 scene_.sphere->radius());
             std::vector<char> visited(plan.rooms().size(), 0);
@@ -322,6 +327,7 @@ class MoveMaker {
             visitRooms(plan, 0, z, visited, corners, end);
             corners.resize(end);
             for (Vector3d& corner : corners) {
+                if (job_.cancelled()) return cancelled();
                 if (!scene_.sphere->fits(corner)) corner = nearestFree(scene_, corner);
             }
         }
@@ -329,7 +335,8 @@ class MoveMaker {
             return fail(ErrorCode::BadInput,
                         "The scene has no doorways to walk through; pass from= and to=.", "walk");
         }
-        auto way = repairAndTime(scene_, timing_, trajectoryThrough(divided(corners), 0.0), job_);
+        auto way = repairAndTime(scene_, timing_, trajectoryThrough(divided(corners), 0.0),
+                                 job_.stage(0.2, 0.6, request_.kind));
         if (!way) return way;
         lookAhead(way->trajectory);
         const double duration = way->trajectory.frames.back().time_s;
@@ -337,7 +344,11 @@ class MoveMaker {
         for (TrajectoryFrame& frame : way->trajectory.frames) {
             frame.time_s *= std::max(1.0, slower);
         }
-        return repairAndTime(scene_, timing_, way->trajectory, job_);
+        return repairAndTime(scene_, timing_, way->trajectory, job_.stage(0.6, 1.0, request_.kind));
+    }
+
+    [[nodiscard]] static Result<RepairedMotion> cancelled() {
+        return fail(ErrorCode::Cancelled, "Making the camera move was cancelled.");
     }
 
     const BaselineScene& scene_;

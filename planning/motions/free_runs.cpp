@@ -31,10 +31,10 @@ int componentOf(const MotionCheck& check, std::span<const TrajectoryFrame> frame
 
 /// Shortens runs at ends where the camera all but touches a surface: no proven move leaves there.
 void shorten(const SweptSphere& sphere, std::span<const TrajectoryFrame> frames,
-             std::vector<FreeRun>& runs) {
+             const JobContext& job, std::vector<FreeRun>& runs) {
     const auto isStuck = [&](std::size_t i) {
         const Eigen::Vector3d& position = frames[i].pose.position;
-        return !sphere.segment(position, position).free;
+        return !job.cancelled() && !sphere.segment(position, position).free;
     };
     std::erase_if(runs, [&](FreeRun& run) {
         while (run.first > 0 && run.first < run.last && isStuck(run.first)) ++run.first;
@@ -48,8 +48,8 @@ void shorten(const SweptSphere& sphere, std::span<const TrajectoryFrame> frames,
 }
 
 /// The frame nearest to free space, moved there.
-std::vector<FreeRun> nearestRun(const BaselineScene& scene,
-                                std::span<const TrajectoryFrame> frames) {
+std::vector<FreeRun> nearestRun(const BaselineScene& scene, std::span<const TrajectoryFrame> frames,
+                                const JobContext& job) {
     const std::size_t stride = frames.size() / kFramesCompared + 1;
     std::vector<FreeRun> nearest((frames.size() + stride - 1) / stride);
     std::vector<double> squared(nearest.size(), kNearest * kNearest);
@@ -58,6 +58,7 @@ std::vector<FreeRun> nearestRun(const BaselineScene& scene,
         const Eigen::Vector3d& wish = frames[i].pose.position;
         for (const Room& room : scene.free_space->rooms()) {
             for (const Eigen::Vector3f& cell : scene.sphere->cells(room.component)) {
+                if (job.cancelled()) return;
                 const Eigen::Vector3d place = cell.cast<double>();
                 const double distance2 = (place - wish).squaredNorm();
                 if (distance2 >= squared[k] || !scene.sphere->fits(place)) continue;
@@ -89,8 +90,8 @@ FreeParts findFreeParts(const MotionCheck& check, std::span<const TrajectoryFram
 }
 
 std::vector<FreeRun> findRunsToKeep(const BaselineScene& scene, const MotionCheck& check,
-                                    std::span<const TrajectoryFrame> frames,
-                                    const FreeParts& parts) {
+                                    std::span<const TrajectoryFrame> frames, const FreeParts& parts,
+                                    const JobContext& job) {
     std::vector<FreeRun> runs;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         if (!parts.frames[i]) continue;
@@ -103,13 +104,14 @@ std::vector<FreeRun> findRunsToKeep(const BaselineScene& scene, const MotionChec
     }
     // A free path is kept wherever it is.
     if (runs.size() == 1 && runs.front().size() == frames.size()) return runs;
-    shorten(*scene.sphere, frames, runs);
+    shorten(*scene.sphere, frames, job, runs);
     std::map<int, std::size_t> sizes;  // frames, by component
     for (FreeRun& run : runs) {
+        if (job.cancelled()) return {};
         run.component = componentOf(check, frames, run);
         if (run.component >= 0) sizes[run.component] += run.size();
     }
-    if (sizes.empty()) return nearestRun(scene, frames);
+    if (sizes.empty()) return nearestRun(scene, frames, job);
     const int main = std::max_element(sizes.begin(), sizes.end(), [](const auto& a, const auto& b) {
                          return a.second < b.second;
                      })->first;

@@ -211,12 +211,12 @@ class KeyNotes {
              const RepairedMotion& motion, double interval_s)
         : scene_(scene), check_(scene), keys_(keys), motion_(motion), interval_s_(interval_s) {}
 
-    /// `given_frames` are those of the keys before the repair.
-    [[nodiscard]] std::vector<PassedKey> passed(
-        const std::vector<std::int64_t>& given_frames) const {
+    /// `given_frames` are those of the keys before the repair. Incomplete if cancelled.
+    [[nodiscard]] std::vector<PassedKey> passed(const std::vector<std::int64_t>& given_frames,
+                                                const JobContext& job) const {
         std::vector<PassedKey> passed;
         double late_s = 0.0;  // of the key before; rounding to a frame may make a key early
-        for (std::size_t i = 0; i < keys_.size(); ++i) {
+        for (std::size_t i = 0; i < keys_.size() && !job.cancelled(); ++i) {
             PassedKey key;
             key.frame = frameOf(static_cast<double>(given_frames[i]));
             const TrajectoryFrame& frame = frames()[static_cast<std::size_t>(key.frame)];
@@ -328,10 +328,13 @@ Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams
     }
     const Trajectory given = frames.trajectory();
     // If no free space is near, the notes of the colliding keys say so.
-    const auto repaired = repairAndTime(scene, of_path, given, job, FarPath::Keep);
+    const auto repaired =
+        repairAndTime(scene, of_path, given, job.stage(0.0, 0.9, "key frames"), FarPath::Keep);
     if (!repaired) return tl::unexpected(repaired.error());
     const KeyNotes notes(scene, keys, *repaired, of_path.frame_interval_s);
-    return KeyMotion{repaired->trajectory, notes.passed(frames.frames())};
+    KeyMotion made{repaired->trajectory, notes.passed(frames.frames(), job)};
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "The key frames were cancelled.");
+    return made;
 }
 
 std::vector<MotionKey> withReachedTimes(std::vector<MotionKey> keys,

@@ -32,7 +32,8 @@ double ObjectMoves::distanceFor(double fill) const {
     return distanceForFill(*scene_.views, subject_, object_.front, fill);
 }
 
-std::vector<Eigen::Vector3d> ObjectMoves::orbit(double radius_m, double z, double arc_rad) const {
+std::vector<Eigen::Vector3d> ObjectMoves::orbit(double radius_m, double z, double arc_rad,
+                                                const JobContext& job) const {
     const double arc = std::min(arc_rad, kFullCircle);
     const auto steps = static_cast<int>(std::max(2.0, std::ceil(arc * radius_m / kMoveSpacing)));
     std::vector<Eigen::Vector3d> longest;
@@ -40,6 +41,8 @@ std::vector<Eigen::Vector3d> ObjectMoves::orbit(double radius_m, double z, doubl
     // A full circle may start anywhere: a second round finds what crosses its start.
     const int rounds = arc_rad >= kFullCircle - 1e-9 ? 2 : 1;
     for (int k = 0; k <= rounds * steps; ++k) {
+        job.report(static_cast<double>(k) / (rounds * steps));
+        if (job.cancelled()) return {};
         const double angle = angleOf(object_.front) + arc * (static_cast<double>(k) / steps - 0.5);
         const auto place = placeAt(horizontal(angle), radius_m, z);
         const bool goes_on =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/jobs/job.h"
 #include "planning/visibility/framing.h"
 
 #include <Eigen/Core>
@@ -36,9 +37,10 @@ class ObjectMoves {
 
     /// Positions on an arc around the object, whose middle is in front of it: the longest part in
     /// which the camera fits and sees the object. Where it does not fit at `radius_m`, the radius
-    /// is a little smaller or larger. Empty if the part is shorter than 20 degrees.
-    [[nodiscard]] std::vector<Eigen::Vector3d> orbit(double radius_m, double z,
-                                                     double arc_rad) const;
+    /// is a little smaller or larger. Empty if the part is shorter than 20 degrees, or if
+    /// cancelled.
+    [[nodiscard]] std::vector<Eigen::Vector3d> orbit(double radius_m, double z, double arc_rad,
+                                                     const JobContext& job) const;
 
     /// Both ends of the straight move beside the object between two horizontal distances from its
     /// centre and two heights z, in the direction nearest to its front where the move is free and

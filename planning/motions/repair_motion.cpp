@@ -20,6 +20,9 @@ namespace {
 
 // Frames farther apart than this, as the median, are key frames.
 constexpr double kKeyFrameSpacing = 0.25;  // m
+// Progress of the repair of one path.
+constexpr double kFreePartsFound = 0.2;
+constexpr double kFreeWaysFound = 0.7;
 
 using Frames = std::span<const TrajectoryFrame>;
 
@@ -98,9 +101,10 @@ class MotionRepair {
     MotionRepair(const BaselineScene& scene, const PathTiming& timing, FarPath far_path)
         : scene_(scene), check_(scene), timing_(timing), far_path_(far_path) {}
 
-    /// Adds the repaired path to the result. Error: BadInput.
+    /// Adds the repaired path to the result, unless the job is cancelled. Error: BadInput.
     Status add(const Frames& frames, const JobContext& job) {
         const FreeParts parts = findFreeParts(check_, frames, job);
+        if (job.cancelled()) return {};
         const bool is_free = count(frames, parts);
         const auto first = static_cast<double>(given_before_);
         given_before_ += frames.size();
@@ -108,8 +112,10 @@ class MotionRepair {
             addUnchanged(frames, first);
             return {};
         }
+        job.report(kFreePartsFound);
         const auto paths = repairPath(scene_, check_, frames, parts, job);
-        if (paths.empty() && !job.cancelled()) {
+        if (job.cancelled()) return {};
+        if (paths.empty()) {
             if (far_path_ == FarPath::Keep) {
                 addUnchanged(frames, first);
                 return {};
@@ -119,9 +125,15 @@ class MotionRepair {
                                     "1 m of free space; check its units, axes and origin.",
                                     frames.size(), frames.front().time_s));
         }
-        for (const std::vector<PathPoint>& points : paths) {
+        const JobContext timing = job.stage(kFreeWaysFound, 1.0, "timing");
+        const auto share = 1.0 / static_cast<double>(paths.size());
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            const std::vector<PathPoint>& points = paths[i];
             measure(points, frames);
-            auto timed = timePath(*scene_.sphere, timing_, frames, points);
+            const double done = share * static_cast<double>(i);
+            auto timed = timePath(*scene_.sphere, timing_, frames, points,
+                                  timing.stage(done, done + share, "timing"));
+            if (job.cancelled()) return {};
             if (timed.frames.empty() ||
                 result_.frames.size() + timed.frames.size() > kMostMotionFrames) {
                 return fail(ErrorCode::BadInput,
@@ -238,9 +250,11 @@ Result<RepairedMotion> repairAndTime(const BaselineScene& scene, const PathTimin
     }
     const std::vector<Frames> paths = pathsOf(given);
     MotionRepair repair(scene, timing, far_path);
+    const double share = 1.0 / static_cast<double>(paths.size());
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        job.report(static_cast<double>(i) / static_cast<double>(paths.size()));
-        const Status status = repair.add(paths[i], job);
+        const double done = share * static_cast<double>(i);
+        job.report(done);
+        const Status status = repair.add(paths[i], job.stage(done, done + share, "repair"));
         if (job.cancelled()) {
             return fail(ErrorCode::Cancelled, "Repairing the trajectory was cancelled.");
         }

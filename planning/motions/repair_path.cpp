@@ -149,7 +149,7 @@ class PathRepair {
 std::vector<std::vector<PathPoint>> repairPath(const BaselineScene& scene, const MotionCheck& check,
                                                std::span<const TrajectoryFrame> frames,
                                                const FreeParts& parts, const JobContext& job) {
-    std::vector<FreeRun> runs = findRunsToKeep(scene, check, frames, parts);
+    std::vector<FreeRun> runs = findRunsToKeep(scene, check, frames, parts, job);
     if (runs.empty() || job.cancelled()) return {};
     auto paths = PathRepair(scene, frames, std::move(runs), job).run();
     if (job.cancelled()) return {};

@@ -58,19 +58,24 @@ double largestAcceleration(const std::vector<Eigen::Vector3d>& positions,
 class PathTimer {
   public:
     PathTimer(const SweptSphere& sphere, const PathTiming& timing,
-              std::span<const TrajectoryFrame> given, std::vector<PathPoint> points)
-        : sphere_(sphere), timing_(timing), given_(given), points_(std::move(points)) {}
+              std::span<const TrajectoryFrame> given, std::vector<PathPoint> points,
+              const JobContext& job)
+        : sphere_(sphere), timing_(timing), given_(given), points_(std::move(points)), job_(job) {}
 
     TimedPath run() {
+        job_.report(0.0);
         if (!timing_.retime_all) keepFrames();
+        if (job_.cancelled()) return {};
         divideMoves();
         makePieces();
         setTimes(pieces_, usedLimits(), timing_.smooth_over_s);
         if (needsTooManyFrames()) return {};
         for (int k = 0; k < kSlowdowns && timing_.fixed_rate && slowWhereBlocked(); ++k) {
+            job_.report(0.5 * (k + 1) / kSlowdowns);
             setTimes(pieces_, usedLimits(), timing_.smooth_over_s);
             if (needsTooManyFrames()) return {};
         }
+        job_.report(0.5);
         const auto first = static_cast<std::size_t>(points_.front().frame);
         addFrame(points_.front(), given_[first].time_s);
         for (std::size_t i = 0; i < pieces_.size();) {
@@ -82,6 +87,7 @@ class PathTimer {
                 addFrame(points_[i + 1], made_.frames.back().time_s + pieces_[i].given_s);
                 ++i;
             }
+            if (job_.cancelled()) return {};
         }
         return std::move(made_);
     }
@@ -141,6 +147,7 @@ class PathTimer {
         for (std::size_t i = 0; i < frames.size(); ++i) {
             add(frames[i]);
             if (i + 1 == frames.size()) break;
+            if (job_.cancelled()) return false;
             const PathPoint& next = frames[i + 1];
             const double seconds = timeAt(next.frame, given_) - times.back();
             const double turn = poseAt(frames[i]).rotation.angularDistance(poseAt(next).rotation);
@@ -271,7 +278,7 @@ class PathTimer {
             Sample last{points_[begin], begin};
             double rest = 0.0;  // of a step, after the pieces before `piece`
             std::size_t piece = begin;
-            while (piece < end) {
+            while (piece < end && !job_.cancelled()) {
                 rest += step;
                 while (piece < end && rest >= pieces_[piece].time_s) {
                     rest -= pieces_[piece++].time_s;
@@ -302,7 +309,7 @@ class PathTimer {
         const double step = stepOn(begin, end);
         Sample last{points_[begin], begin};
         double time = 0.0;
-        for (bool done = false; !done;) {
+        for (bool done = false; !done && !job_.cancelled();) {
             double next = time + step;
             done = next >= total - kRest * step;
             if (done) next = total;
@@ -330,6 +337,7 @@ class PathTimer {
     std::vector<PathPoint> points_;
     std::vector<TimedPiece> pieces_;  // one less than points
     TimedPath made_;
+    const JobContext& job_;
 };
 
 }  // namespace
@@ -357,8 +365,9 @@ Eigen::Quaterniond orientationAt(const PathPoint& point, std::span<const Traject
 }
 
 TimedPath timePath(const SweptSphere& sphere, const PathTiming& timing,
-                   std::span<const TrajectoryFrame> given, std::vector<PathPoint> points) {
-    return PathTimer(sphere, timing, given, std::move(points)).run();
+                   std::span<const TrajectoryFrame> given, std::vector<PathPoint> points,
+                   const JobContext& job) {
+    return PathTimer(sphere, timing, given, std::move(points), job).run();
 }
 
 }  // namespace dollytrack::planning

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/camera/trajectory.h"
+#include "engine/jobs/job.h"
 #include "planning/motions/repair_path.h"
 #include "planning/timing/motion_limits.h"
 
@@ -56,8 +57,9 @@ struct TimedPath {
 /// and moves over the limits, take as much time as the limits ask, with ramps of speed to the rest,
 /// and get new frames at the frame interval. The straight lines between frames are
 /// proven to be collision-free. The first frame keeps its time. Empty if it would take more than
-/// kMostMotionFrames.
+/// kMostMotionFrames, or if cancelled.
 TimedPath timePath(const SweptSphere& sphere, const PathTiming& timing,
-                   std::span<const TrajectoryFrame> given, std::vector<PathPoint> points);
+                   std::span<const TrajectoryFrame> given, std::vector<PathPoint> points,
+                   const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -12,11 +12,16 @@
 namespace dollytrack::planning {
 namespace {
 
-/// Tests the moves of a path that begins at `start` for collisions and clearance.
-void testMoves(SmoothPath& path, const Eigen::Vector3d& start, const SweptSphere& sphere) {
+constexpr double kMotionMade = 0.7;  // progress
+
+/// Tests the moves of a path that begins at `start` for collisions and clearance; incomplete if
+/// cancelled.
+void testMoves(SmoothPath& path, const Eigen::Vector3d& start, const SweptSphere& sphere,
+               const JobContext& job) {
     path.min_clearance_m = sphere.clearance(start, std::numeric_limits<double>::infinity());
     std::vector<SweepResult> sweeps(path.pieces.size());
     parallelFor(sweeps.size(), [&](std::size_t i) {
+        if (job.cancelled()) return;
         sweeps[i] = sphere.segment(path.pieces[i].start, path.pieces[i].end);
     });
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
@@ -50,7 +55,8 @@ Result<FollowedMotion> followMotion(const GivenMotion& motion, const BaselineSce
     if (motion.keys.empty()) {
         made.trajectory = trajectoryOf(motion);
     } else {
-        auto moved = moveThroughKeys(scene, timing, motion.keys, job);
+        auto moved =
+            moveThroughKeys(scene, timing, motion.keys, job.stage(0.0, kMotionMade, "key frames"));
         if (!moved) return tl::unexpected(std::move(moved.error()));
         made.trajectory = std::move(moved->trajectory);
         followed.keys = std::move(moved->passed);
@@ -75,10 +81,13 @@ Result<FollowedMotion> followMotion(const GivenMotion& motion, const BaselineSce
         }
         frame.arc_m = smooth.length_m;
     }
-    for (std::size_t i = 0; i < made.paths.size(); ++i) {
-        if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-        testMoves(made.smooth_paths[i], made.paths[i].vertices.front().position, *scene.sphere);
+    const JobContext tests = job.stage(kMotionMade, 1.0, "collision tests");
+    for (std::size_t i = 0; i < made.paths.size() && !job.cancelled(); ++i) {
+        tests.report(static_cast<double>(i) / static_cast<double>(made.paths.size()));
+        testMoves(made.smooth_paths[i], made.paths[i].vertices.front().position, *scene.sphere,
+                  job);
     }
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     return followed;
 }
 

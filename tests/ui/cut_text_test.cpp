@@ -1,6 +1,7 @@
 #include "ui/widgets/cut_text.h"
 
 #include "tests/ui/screen.h"
+#include "ui/widgets/cut_letters.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -8,6 +9,7 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace dollytrack::ui::cut_text_test {
 namespace {
@@ -74,6 +76,55 @@ TEST(CutText, NeverCutsALetterApart) {
             }
         }
     });
+}
+
+/// The texts that are cut where `draw` draws them, in a window of 200 x 100 px.
+std::vector<std::string> cutIn(const std::function<void()>& draw) {
+    const test::Screen screen(draw, 200, 100);
+    std::vector<std::string> texts;
+    for (const CutLine& line : findCutLines(*ImGui::GetDrawData())) texts.push_back(line.text);
+    return texts;
+}
+
+TEST(CutLines, TextThatFitsIsNotCut) {
+    EXPECT_TRUE(cutIn([] {
+                    ImGui::Button("Import \u2026");
+                    ImGui::TextUnformatted("Length");
+                    ImGui::Button("\u00d7");
+                    ImGui::TextWrapped("%s", "A sentence that needs more than one line of text.");
+                }).empty());
+}
+
+TEST(CutLines, AnEdgeThatCutsLettersIsFound) {
+    // By the widget, by the window, and by a column.
+    EXPECT_EQ(cutIn([] { ImGui::Button("Reset all values", {60, 0}); }).size(), 1U);
+    EXPECT_EQ(cutIn([] { ImGui::TextUnformatted("MMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMM"); }).size(), 1U);
+    const auto texts = cutIn([] {
+        if (!ImGui::BeginTable("t", 2)) return;
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted("MMMMMMMMMMMMMMMM");
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted("fits");
+        ImGui::EndTable();
+    });
+    ASSERT_EQ(texts.size(), 1U);
+    EXPECT_TRUE(texts[0].starts_with("MMM")) << texts[0];
+}
+
+TEST(CutLines, AShortenedTextIsFound) {
+    const auto texts =
+        cutIn([] { cutText("curtain_living_room_left", ImVec4(1, 1, 1, 1), {}, Cut::End, 90.0F); });
+    ASSERT_EQ(texts.size(), 1U);
+    EXPECT_TRUE(texts[0].starts_with("curtain")) << texts[0];
+    EXPECT_TRUE(texts[0].ends_with("\u2026")) << texts[0];
+}
+
+TEST(CutLines, LinesThatScrollOutOfAListAreNotCut) {
+    EXPECT_TRUE(cutIn([] {
+                    ImGui::BeginChild("list", {0, 45});
+                    for (int i = 0; i < 20; ++i) ImGui::TextUnformatted("one line of a list");
+                    ImGui::EndChild();
+                }).empty());
 }
 
 }  // namespace

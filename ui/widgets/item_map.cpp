@@ -1,5 +1,7 @@
 #include "ui/widgets/item_map.h"
 
+#include "ui/widgets/cut_letters.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -52,6 +54,7 @@ void beginFrame() {
 
 void endFrame() {
     map().finished.swap(map().building);
+    noteCutLines();
 }
 
 const std::vector<NamedItem>& items() {

@@ -17,6 +17,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <thread>
 #include <utility>
 
@@ -97,6 +98,13 @@ using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+/// Processor time that the calling thread has used.
+double processorTime_ms() {
+    timespec used{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+    return 1e3 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec);
 }
 
 }  // namespace
@@ -203,7 +211,6 @@ void Window::wake() {
 }
 
 void Window::run(const std::function<bool()>& frame) {
-    constexpr double kSleep_s = 0.5;    // without events: for display of elapsed time
     constexpr double kBlink_s = 0.2;    // while a text cursor blinks
     constexpr double kFrame_ms = 15.0;  // frame limit if the driver does not wait for the screen
     bool goes_on = true;
@@ -214,7 +221,8 @@ void Window::run(const std::function<bool()>& frame) {
             woken = false;
             --frames_to_draw_;
         } else {
-            const double sleep_s = ImGui::GetIO().WantTextInput ? kBlink_s : kSleep_s;
+            const double blink_s = ImGui::GetIO().WantTextInput ? kBlink_s : kLongestSleep_s;
+            const double sleep_s = std::min(blink_s, draw_within_s_);
             const auto begin = Clock::now();
             glfwWaitEventsTimeout(sleep_s);
             const bool by_work = woken.exchange(false) && input_.empty();
@@ -222,15 +230,15 @@ void Window::run(const std::function<bool()>& frame) {
             // background work.
             if (!by_work && millisecondsSince(begin) < 1000.0 * sleep_s) frames_to_draw_ = 3;
         }
-        if (ImGui::IsAnyMouseDown()) animate();
-        const auto begin = Clock::now();
+        counts_frame_ = true;
         drawFrame(frame, goes_on);
-        last_frame_ms_ = millisecondsSince(begin);
-        longest_frame_ms_ = std::max(longest_frame_ms_, last_frame_ms_);
+        if (counts_frame_ && last_frame_.total_ms > longest_frame_.total_ms) {
+            longest_frame_ = last_frame_;
+        }
         ++frames_;
-        if (last_frame_ms_ < kFrame_ms) {
+        if (last_frame_.total_ms < kFrame_ms) {
             std::this_thread::sleep_for(
-                std::chrono::duration<double, std::milli>(kFrame_ms - last_frame_ms_));
+                std::chrono::duration<double, std::milli>(kFrame_ms - last_frame_.total_ms));
         }
     }
 }
@@ -243,7 +251,20 @@ bool Window::holdsKeys() {
     return held_frames_ > 0 && held_frames_ < kMost;
 }
 
+void Window::animateHeldButtons() {
+    // What is dragged with the left button changes with the mouse only, which is an event. With the
+    // other buttons, keys fly the view.
+    constexpr double kHeld_s = 0.05;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)) {
+        animate();
+    } else if (ImGui::IsAnyMouseDown()) {
+        drawWithin(kHeld_s);
+    }
+}
+
 void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
+    const auto begin = Clock::now();
+    const double processor_before_ms = processorTime_ms();
     if (wanted_font_scale_ > 0.0) {
         ui::loadFonts(std::exchange(wanted_font_scale_, 0.0));
         ImGui_ImplOpenGL3_DestroyFontsTexture();
@@ -255,9 +276,12 @@ void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
     ImGui_ImplGlfw_NewFrame();
     input_.setMouse();
     ImGui::NewFrame();
+    draw_within_s_ = kLongestSleep_s;
     goes_on = frame();
+    animateHeldButtons();
     ImGui::Render();
     ui::item_map::endFrame();
+    last_frame_.widgets_ms = millisecondsSince(begin);
     int width = 0;
     int height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
@@ -268,7 +292,11 @@ void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
         ++gl_errors_;
         log::error("editor", status.error().message);
     }
+    last_frame_.draw_ms = millisecondsSince(begin) - last_frame_.widgets_ms;
     glfwSwapBuffers(window_);
+    last_frame_.processor_ms = processorTime_ms() - processor_before_ms;
+    last_frame_.total_ms = millisecondsSince(begin);
+    last_frame_.swap_ms = last_frame_.total_ms - last_frame_.widgets_ms - last_frame_.draw_ms;
 }
 
 std::vector<std::string> Window::takeDroppedPaths() {

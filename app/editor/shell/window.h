@@ -21,6 +21,15 @@ struct WindowSettings {
     bool operator==(const WindowSettings&) const = default;
 };
 
+/// Where the time of a window frame went, ms.
+struct FrameTimes {
+    double total_ms = 0.0;
+    double widgets_ms = 0.0;    // events, results of the background work, the panels
+    double draw_ms = 0.0;       // OpenGL commands for the widgets
+    double swap_ms = 0.0;       // until the driver has taken the image
+    double processor_ms = 0.0;  // of this thread; less than the total where it waited
+};
+
 /// The program's only window, with its OpenGL context, events and Dear ImGui.
 class Window {
   public:
@@ -45,6 +54,8 @@ class Window {
 
     /// Requests further frames without events, for animations.
     void animate() { frames_to_draw_ = std::max(frames_to_draw_, 2); }
+    /// Requests one frame after this time, even without events. Holds until the next frame.
+    void drawWithin(double seconds) { draw_within_s_ = std::min(draw_within_s_, seconds); }
 
     /// Whether input events are queued that no frame has handled yet.
     [[nodiscard]] bool hasInput() const { return !input_.empty(); }
@@ -55,11 +66,16 @@ class Window {
     /// Scale of all lengths; 1: 96 dots per inch.
     [[nodiscard]] double contentScale() const { return scale_; }
     [[nodiscard]] WindowSettings settings() const;
-    [[nodiscard]] double longestFrame_ms() const { return longest_frame_ms_; }
-    [[nodiscard]] double lastFrame_ms() const { return last_frame_ms_; }
+    [[nodiscard]] const FrameTimes& longestFrame() const { return longest_frame_; }
+    [[nodiscard]] double lastFrame_ms() const { return last_frame_.total_ms; }
     [[nodiscard]] long frames() const { return frames_; }
     [[nodiscard]] int glErrors() const { return gl_errors_; }
-    void resetLongestFrame() { longest_frame_ms_ = 0.0; }
+    /// Starts anew with the next frame: the work for whoever reads the longest one is no part of
+    /// it.
+    void resetLongestFrame() {
+        longest_frame_ = {};
+        counts_frame_ = false;
+    }
     /// Changes the font size from the next frame on; not during a frame.
     void requestFonts(double scale) { wanted_font_scale_ = scale; }
     void setTitle(const std::string& title);
@@ -67,23 +83,28 @@ class Window {
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
 
   private:
+    static constexpr double kLongestSleep_s = 0.5;  // without events: for display of elapsed time
+
     Window() = default;
     void drawFrame(const std::function<bool()>& frame, bool& goes_on);
     [[nodiscard]] bool holdsKeys();
+    void animateHeldButtons();
 
     GLFWwindow* window_ = nullptr;
     GLFWwindow* hidden_ = nullptr;
     InputQueue input_;
     int held_frames_ = 0;  // frames for which typed keys have been held back for a field
     int frames_to_draw_ = 3;
+    double draw_within_s_ = kLongestSleep_s;
     int windowed_[4] = {0, 0, 0, 0};  // position and size before full screen
     std::string title_;
     std::vector<std::string> dropped_;
     double scale_ = 1.0;
     bool scale_changed_ = false;
     double wanted_font_scale_ = 0.0;
-    double longest_frame_ms_ = 0.0;
-    double last_frame_ms_ = 0.0;
+    FrameTimes longest_frame_;
+    FrameTimes last_frame_;
+    bool counts_frame_ = true;  // whether the current frame may be the longest
     long frames_ = 0;
     int gl_errors_ = 0;
 };

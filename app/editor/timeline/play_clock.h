@@ -22,6 +22,9 @@ class PlayClock {
         return due;
     }
 
+    /// Frames, less than one, until the next one is due.
+    [[nodiscard]] double untilNext() const { return 1.0 - gathered_; }
+
   private:
     bool runs_ = false;
     double gathered_ = 0.0;

@@ -21,6 +21,8 @@ class Playback {
     /// Advances by a possibly fractional number of frames. At the end it stops, or restarts if
     /// `loop` is set.
     void advance(double frames, bool loop);
+    /// Frames, at most one, until the next one is due.
+    [[nodiscard]] double untilNext() const { return clock_.untilNext(); }
 
   private:
     int count_ = 0;

@@ -3,6 +3,7 @@
 
 Usage: figures.py EDITOR SCENE [PARAMETER...]
 """
+import os
 import pathlib
 import sys
 import tempfile
@@ -12,6 +13,7 @@ from editor_driver import Editor
 from screen import Screen
 
 REPEATS = 5
+DRAG_S = 20.0
 UNWATCHED_S = 2.0  # reading the state draws frames, which would slow down the measured work
 
 
@@ -74,16 +76,51 @@ def from_rest(editor, name):
     return sorted(times)
 
 
-def longest_frame(editor):
-    """The longest frame while a slider is dragged and planning runs without a pause, ms."""
-    left, top, right, bottom = editor.item(show(editor, "fill"))[:4]
-    middle = (top + bottom) / 2
-    longest = []
+def told(states):
+    """The longest window frame of some states, and where its time went."""
+    longest = max(states, key=lambda state: state["longest_frame_ms"])
+    parts = longest["longest_frame"]
+    middle = sorted(state["longest_frame_ms"] for state in states)[len(states) // 2]
+    return (f"{longest['longest_frame_ms']:.0f} ms (widgets {parts['widgets_ms']:.0f}, OpenGL "
+            f"commands {parts['draw_ms']:.0f}, until drawn {parts['swap_ms']:.0f}; processor time "
+            f"of the window's thread {parts['processor_ms']:.0f}); median of {len(states)} "
+            f"intervals {middle:.0f} ms")
+
+
+def drag_while_playing(editor, name):
+    """Drags a slider to and fro while the trajectory plays; the longest frame by intervals."""
+    left, top, right, bottom = editor.item(show(editor, name))[:4]
+    editor.click("tab.timeline")
+    editor.click("timeline.play")
+    editor.point((left + 0.5 * (right - left), (top + bottom) / 2))
+    editor.press()
+    states = []
     editor.state()
-    editor.drag((left + 0.7 * (right - left), middle), (left + 0.4 * (right - left), middle),
-                steps=40, look=lambda state: longest.append(state["longest_frame_ms"]))
+    begin = last = time.monotonic()
+    while time.monotonic() - begin < DRAG_S:
+        share = abs((time.monotonic() - begin) % 4.0 / 2.0 - 1.0)
+        editor.move(left + (0.2 + 0.6 * share) * (right - left), (top + bottom) / 2)
+        time.sleep(0.03)
+        if time.monotonic() - last > UNWATCHED_S:
+            states.append(editor.state())
+            last = time.monotonic()
+    editor.release()
+    editor.click("timeline.play")
+    editor.click("parameters." + name + ".reset")
     editor.idle(300)
-    return max(longest)
+    return states
+
+
+def resize_often(editor):
+    """The longest frame of each of 15 changes of the window's size."""
+    states = []
+    editor.state()
+    for width, height in 3 * [(1024, 700), (1600, 900), (900, 600), (1400, 800), (1280, 720)]:
+        editor.window.configure(x=0, y=0, width=width, height=height)
+        editor.display.sync()
+        time.sleep(0.4)
+        states.append(editor.state())
+    return states
 
 
 def main():
@@ -108,7 +145,11 @@ def main():
             times = from_rest(editor, "corner_distance_m")
             print(f"  corner_distance_m from rest: median {times[len(times) // 2]:.1f} ms"
                   f"   most {times[-1]:.1f} ms", flush=True)
-            print(f"  longest frame while planning {longest_frame(editor):.1f} ms", flush=True)
+            for name in ("fill", "corner_distance_m"):
+                print(f"  longest frame while {name} is dragged and the trajectory plays: "
+                      + told(drag_while_playing(editor, name)), flush=True)
+            print("  longest frame of 15 changes of size: " + told(resize_often(editor)),
+                  f"\n  load of the machine: {os.getloadavg()[0]:.1f}", flush=True)
         finally:
             editor.kill()
             screen.close()

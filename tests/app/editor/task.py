@@ -17,9 +17,12 @@ TABLE, MUG, BOOK, SOFA, PICTURE = 7, 8, 9, 10, 11
 
 
 class Programs:
-    """Paths of the programs under test, set from the command line."""
+    """Paths of the programs under test, and how they are shown; set from the command line."""
     editor = ""
     command_line = ""
+    size = (1280, 720)  # of windows for which a task does not say one
+    screen = (1920, 1080)
+    theme = "dark"
 
 
 def plan(scene, project, *arguments):
@@ -37,7 +40,7 @@ class Task(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         need_window()
-        cls.screen = Screen(1920, 1080)
+        cls.screen = Screen(*Programs.screen)
         cls.shared = tempfile.TemporaryDirectory(prefix="tasks")
         cls.room = pathlib.Path(cls.shared.name) / "room.obj"
         tiny_room.write(cls.room)
@@ -67,10 +70,14 @@ class Task(unittest.TestCase):
         finally:
             self.editor.kill()
 
-    def start(self, *arguments, size=(1280, 720)):
+    def start(self, *arguments, size=None):
         """Starts an editor with the given arguments and waits until it is ready."""
+        settings = self.folder / "home/config/dollytrack/editor.json"
+        if Programs.theme != "dark" and not settings.exists():
+            settings.parent.mkdir(parents=True)
+            settings.write_text(json.dumps({"theme": Programs.theme}))
         self.editor = Editor(Programs.editor, self.screen, *arguments,
-                             home=self.folder / "home", size=size)
+                             home=self.folder / "home", size=size or Programs.size)
         self.addCleanup(self.editor.kill)
         if arguments:
             self.editor.wait(lambda state: state["open"] or state["notice"], "something to open")

@@ -44,7 +44,7 @@ void drawFolder(const ExportView& view, ExportDraft& draft, ExportActions& actio
     if (button(label, "export.choose_folder")) actions.choose_folder = true;
     // Always one line, so that the widgets below keep their position.
     const std::string none =
-        draft.folder.empty() ? "An empty folder, a new one, or that of a dataset." : "It is empty.";
+        draft.folder.empty() ? "New, empty, or that of a dataset." : "It is empty.";
     const bool bad = !view.why_not_folder.empty();
     const std::string& says = bad ? view.why_not_folder : view.folder_says;
     const ImVec4& color = bad                                  ? palette().bad

@@ -122,7 +122,8 @@ void explainField(const Field& field, const Field& standard) {
 
 std::string readableName(const Field& field) {
     std::string name = field.name;
-    for (const char* unit : {"_m3", "_mps", "_dps", "_deg", "_px", "_mm", "_m", "_s", "_e"}) {
+    for (const char* unit :
+         {"_m3", "_mps2", "_dps2", "_mps", "_dps", "_deg", "_px", "_mm", "_m", "_s", "_e"}) {
         if (name.ends_with(unit)) {
             name.resize(name.size() - std::char_traits<char>::length(unit));
             break;

@@ -13,6 +13,9 @@ TEST(Playback, LosesNoTimeBetweenFramesAndStopsAtTheEnd) {
     playback.toggle();
     for (int i = 0; i < 8; ++i) playback.advance(0.25, false);  // exact in binary
     EXPECT_EQ(playback.frame(), 2);
+    EXPECT_EQ(playback.untilNext(), 1.0);
+    playback.advance(0.25, false);
+    EXPECT_EQ(playback.untilNext(), 0.75);
     playback.advance(10.0, false);
     EXPECT_EQ(playback.frame(), 4);
     EXPECT_FALSE(playback.playing());
