@@ -47,16 +47,6 @@ struct SceneArguments {
     bool one_of_several = false;   // one of several scenes: may lack --ignore and --only names
 };
 
-void addSceneArguments(CLI::App& command, SceneArguments& arguments);
-/// Adds --unit, --up, --labels, --models, --annotations, --keep-meshes, --convert and --cloud: the
-/// part of addSceneArguments() for commands that take several scenes.
-void addImportArguments(CLI::App& command, SceneArguments& arguments);
-/// Adds --set.
-void addSetArgument(CLI::App& command, SceneArguments& arguments);
-/// Adds --set, --seed, --max-frames, --max-length, --fps, --duration, --ignore, --only, --start,
-/// --end and --loop.
-void addParameterArguments(CLI::App& command, SceneArguments& arguments);
-
 /// An opened scene file or project, with its planning parameters.
 struct OpenedScene {
     std::shared_ptr<const Scene> imported;

@@ -169,6 +169,29 @@ void warnOfOneClass(const GatherSummary& summary, const ClassUnion& classes) {
     }
 }
 
+/// Keeps descriptions of datasets in memory while they are few, so that their files need not be
+/// read twice.
+class DescriptionStore {
+  public:
+    explicit DescriptionStore(const LayoutKind& layout)
+        : entries_left_(layout.content == LayoutContent::Everything ? 0 : kMostEntries) {}
+
+    /// Null if there is no room.
+    std::shared_ptr<const verify::StoredDataset> keep(verify::StoredDataset dataset) {
+        std::size_t entries =
+            dataset.sha256s.size() + dataset.frames.size() + dataset.objects.size();
+        for (const verify::StoredFrame& frame : dataset.frames) entries += frame.moving.size();
+        if (entries > entries_left_) return nullptr;
+        entries_left_ -= entries;
+        keepConventionsOnly(dataset);
+        return std::make_shared<const verify::StoredDataset>(std::move(dataset));
+    }
+
+  private:
+    static constexpr std::size_t kMostEntries = 150'000;  // of about 250 bytes
+    std::size_t entries_left_;
+};
+
 Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDataset>& found,
                              const JobContext& job) {
     SourceNeeds needs;
@@ -191,13 +214,16 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
     SourceReader reader(needs);
     ReadAhead<Result<verify::StoredDataset>> datasets(
         found.size(), [&](std::size_t i) { return verify::readStoredDataset(found[i].folder); });
+    DescriptionStore descriptions(layout);
     Gathered all;
     for (std::size_t i = 0; i < found.size(); ++i) {
-        Result<Source> source = reader.read(datasets.next(), job);
+        Result<verify::StoredDataset> dataset = datasets.next();
+        Result<Source> source = reader.read(dataset, job);
         job.report(static_cast<double>(i + 1) / static_cast<double>(found.size()));
         if (job.cancelled()) return stopped();
         if (source) {
             source->name = found[i].name;
+            source->kept = descriptions.keep(std::move(*dataset));
             all.sources.push_back(std::move(*source));
             continue;
         }
@@ -294,9 +320,10 @@ Status checkSpace(const GatherOrder& order, const OutputFolder& out, const Gathe
                 out.path().string());
 }
 
-/// Number of frames processed at once: more if they are small.
+/// Number of frames processed at once: more if they are small. Bytes that were just read are hashed
+/// and written while the processor's cache still has them.
 std::size_t stepOf(const Source& source) {
-    constexpr std::uint64_t kBytes = 16'000'000;
+    constexpr std::uint64_t kBytes = 4'000'000;
     constexpr std::uint64_t kMost = 64;
     const std::uint64_t per_frame = source.bytes / std::max<std::size_t>(source.frames, 1) + 1;
     return static_cast<std::size_t>(std::clamp<std::uint64_t>(kBytes / per_frame, 1, kMost));

@@ -269,7 +269,11 @@ std::string readmeText(const GatherCard& card) {
         order.title, counted(scenes, "indoor scene"), order.product_version,
         allFrames(card.summary), sizeOf(card.sources), order.layout->labels,
         counted(card.sources.size(), "dataset"), order.layout->name);
-    text += fmt::format("## Reading\n\n{}\n\n", order.layout->how_to_read);
+    std::string reading = order.layout->how_to_read;
+    if (order.layout->how_to_read_modalities != nullptr) {
+        reading += " " + order.layout->how_to_read_modalities(card.modalities);
+    }
+    text += fmt::format("## Reading\n\n{}\n\n", trimmed(reading));
     text += fmt::format("## Parts\n\n{}\n{}\n\n", partTable(card),
                         order.split.by_room
                             ? fmt::format("Each scene, and so each room, is in only one part (seed "

@@ -1,6 +1,7 @@
 #include "app/process/scene_conversion.h"
 
 #include "app/process/child_process.h"
+#include "app/process/find_program.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/log.h"
 #include "engine/io/files/durable_file.h"
@@ -65,21 +66,6 @@ for one in shapes:
 bpy.ops.export_scene.gltf(filepath=os.path.join(os.environ["HOME"], "scene.glb"),
                           export_apply=True, use_renderable=True)
 )";
-
-std::optional<fs::path> findProgram(const char* name) {
-    const char* folders = std::getenv("PATH");
-    std::istringstream list(folders != nullptr ? folders : "/usr/bin:/bin");
-    for (std::string folder; std::getline(list, folder, ':');) {
-        const fs::path program = fs::path(folder) / name;
-        std::error_code error;
-        // Relative entries would run programs that lie beside a downloaded scene.
-        if (fs::path(folder).is_absolute() && ::access(program.c_str(), X_OK) == 0 &&
-            fs::is_regular_file(program, error)) {
-            return fs::canonical(program, error);
-        }
-    }
-    return std::nullopt;
-}
 
 /// A new folder for Blender's files, removed at the end.
 class WorkFolder {

@@ -32,6 +32,11 @@ struct ProjectContent {
     nlohmann::json others = nlohmann::json::object();         // other sections of the file
 };
 
+/// The kinds of scenes that can be read, for help texts.
+inline constexpr const char* kSceneFormats =
+    "OBJ, FBX, glTF, GLB, DAE, PLY, STL; Gazebo, URDF, Habitat; point clouds; homes; 3D-FRONT, "
+    "SceneNet RGB-D; Blender";
+
 /// Whether the path is a project (.dolly) rather than a scene.
 [[nodiscard]] bool isProjectFile(const std::filesystem::path& path);
 

@@ -54,8 +54,9 @@ OperationField optional(OperationField field) {
     return field;
 }
 
-const std::vector<OperationInfo>& infos() {
-    static const std::vector<OperationInfo> list = {
+/// Operations on parameters and objects.
+std::vector<OperationInfo> objectOperations() {
+    return {
         {"set",
          setParameter,
          "Sets a parameter; 'dollytrack params' lists them.",
@@ -124,7 +125,12 @@ const std::vector<OperationInfo>& infos() {
           {"gap_m", "number", false, "largest gap between parts; default: 0.005 m"},
           {"name", "text", false,
            "name of the new objects, numbered; default: that of the largest part"}}},
-        {"split", split, "Splits objects into their connected pieces.", splitFields()},
+        {"split", split, "Splits objects into their connected pieces.", splitFields()}};
+}
+
+/// Operations on points of the planned trajectory, its ends and the given motion.
+std::vector<OperationInfo> trajectoryOperations() {
+    return {
         {"pin",
          pin,
          "Fixes the position point of an observation point; moves it if it is already pinned.",
@@ -192,55 +198,68 @@ const std::vector<OperationInfo>& infos() {
         {"remove_camera_key",
          removeCameraKey,
          "Removes a key frame; without keys, the trajectory is planned again.",
-         {kKey}},
-        {"add_no_go",
-         addNoGo,
-         "Adds an upright box that no part of the camera's sphere may enter.",
-         {{"center", "point", true, "m"},
-          {"size", "point", true, "along its own axes, m"},
-          {"yaw_deg", "number", false, "rotation about the vertical"},
-          kName}},
-        {"move_no_go",
-         moveNoGo,
-         "Moves, turns or resizes a no-go box.",
-         {kBoxName,
-          {"center", "point", false, "m"},
-          {"size", "point", false, "along its own axes, m"},
-          {"yaw_deg", "number", false, "rotation about the vertical"}}},
-        {"rename_no_go",
-         renameNoGo,
-         "Renames a no-go box.",
-         {kBoxName, {"to", "text", true, "its new, unique name"}}},
-        {"remove_no_go", removeNoGo, "Removes a no-go box.", {kBoxName}},
-        {"add_region",
-         addRegion,
-         "Adds an upright box with a weight, or one whose surface must be seen.",
-         {{"center", "point", true, "m"},
-          {"size", "point", true, "along its own axes, m"},
-          {"yaw_deg", "number", false, "rotation about the vertical"},
-          kWeight,
-          kMustSee,
-          kName}},
-        {"change_region",
-         changeRegion,
-         "Moves, renames or weights a region.",
-         {{"name", "text", true, "the name of the region"},
-          {"to", "text", false, "its new, unique name"},
-          {"center", "point", false, "m"},
-          {"size", "point", false, "along its own axes, m"},
-          {"yaw_deg", "number", false, "rotation about the vertical"},
-          kWeight,
-          kMustSee}},
-        {"remove_region",
-         removeRegion,
-         "Removes a region.",
-         {{"name", "text", true, "the name of the region"}}},
-        {"height_band",
-         setHeightBand,
-         "Limits the camera's height above the floor; without fields, removes the limits.",
-         {{"min_m", "number", false, "m; default: 0"},
-          {"max_m", "number", false, "m; default: 100"}}},
-    };
+         {kKey}}};
+}
+
+/// Operations on boxes, regions and heights of a room.
+std::vector<OperationInfo> regionOperations() {
+    return {{"add_no_go",
+             addNoGo,
+             "Adds an upright box that no part of the camera's sphere may enter.",
+             {{"center", "point", true, "m"},
+              {"size", "point", true, "along its own axes, m"},
+              {"yaw_deg", "number", false, "rotation about the vertical"},
+              kName}},
+            {"move_no_go",
+             moveNoGo,
+             "Moves, turns or resizes a no-go box.",
+             {kBoxName,
+              {"center", "point", false, "m"},
+              {"size", "point", false, "along its own axes, m"},
+              {"yaw_deg", "number", false, "rotation about the vertical"}}},
+            {"rename_no_go",
+             renameNoGo,
+             "Renames a no-go box.",
+             {kBoxName, {"to", "text", true, "its new, unique name"}}},
+            {"remove_no_go", removeNoGo, "Removes a no-go box.", {kBoxName}},
+            {"add_region",
+             addRegion,
+             "Adds an upright box with a weight, or one whose surface must be seen.",
+             {{"center", "point", true, "m"},
+              {"size", "point", true, "along its own axes, m"},
+              {"yaw_deg", "number", false, "rotation about the vertical"},
+              kWeight,
+              kMustSee,
+              kName}},
+            {"change_region",
+             changeRegion,
+             "Moves, renames or weights a region.",
+             {{"name", "text", true, "the name of the region"},
+              {"to", "text", false, "its new, unique name"},
+              {"center", "point", false, "m"},
+              {"size", "point", false, "along its own axes, m"},
+              {"yaw_deg", "number", false, "rotation about the vertical"},
+              kWeight,
+              kMustSee}},
+            {"remove_region",
+             removeRegion,
+             "Removes a region.",
+             {{"name", "text", true, "the name of the region"}}},
+            {"height_band",
+             setHeightBand,
+             "Limits the camera's height above the floor; without fields, removes the limits.",
+             {{"min_m", "number", false, "m; default: 0"},
+              {"max_m", "number", false, "m; default: 100"}}}};
+}
+
+const std::vector<OperationInfo>& infos() {
+    static const std::vector<OperationInfo> list = [] {
+        std::vector<OperationInfo> all = objectOperations();
+        for (const auto& more : {trajectoryOperations(), regionOperations()}) {
+            all.insert(all.end(), more.begin(), more.end());
+        }
+        return all;
+    }();
     return list;
 }
 

@@ -127,10 +127,12 @@ json repairJson(const RepairReport& report) {
             {"dropped", report.dropped}};
 }
 
-json metricsJson(const Scene& scene, const Plan& plan) {
+namespace {
+
+/// Metrics of the trajectory's motion and clearance.
+json motionJson(const Scene& scene, const Plan& plan) {
     const TrajectoryMetrics& motion = plan.trajectory_metrics;
-    json result = captureMetricsJson(plan.capture_metrics);
-    result.update({
+    json result = {
         {"repeat_rate", motion.repeat_rate},
         {"object_pixels", motion.object_pixels},
         {"corner_collision_rate", motion.corner_collision_rate},
@@ -142,17 +144,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"frame_interval_s", plan.trajectory.frame_interval_s},
         {"key_frames", std::count_if(plan.trajectory.frames.begin(), plan.trajectory.frames.end(),
                                      [](const auto& frame) { return frame.position_point >= 0; })},
-        {"map_ms", plan.map_ms},
-        {"plan_ms", plan.plan_ms},
-        {"stages", json::object()},
-        {"uncaptured", uncapturedJson(scene, plan.ledger)},
-        {"not_well_captured", json::array()},
-        {"refused_pins", json::array()},
-        {"ledger", ledgerJson(scene, plan.ledger)},
-    });
-    const bool has_small = std::ranges::any_of(plan.captures, [&](const ObjectCapture& row) {
-        return isSmallTarget(scene.object(row.object_id));
-    });
+    };
     if (plan.trajectory.frames.empty()) {
         for (const char* name :
              {"repeat_rate", "object_pixels", "corner_collision_rate", "frame_collision_rate"}) {
@@ -163,14 +155,9 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         result["given_motion"] = true;
         result["corner_collision_rate"] = nullptr;  // nothing was rounded
     }
-    for (const PassedKey& key : plan.passed_keys) {
-        json& one =
-            result["camera_keys"].emplace_back(json{{"frame", key.frame}, {"time_s", key.time_s}});
-        if (!key.note.empty()) one["note"] = key.note;
-    }
-    if (!has_small) result["small_capture_rate"] = nullptr;
-    if (motion.minimum_clearance.object_id == 0) result["min_clearance_m"] = nullptr;
-    if (motion.minimum_clearance.object_id != 0) {
+    if (motion.minimum_clearance.object_id == 0) {
+        result["min_clearance_m"] = nullptr;
+    } else {
         result["min_clearance_at"] = {
             {"position", vectorJson(motion.minimum_clearance.position)},
             {"object", scene.object(motion.minimum_clearance.object_id).name},
@@ -179,7 +166,47 @@ json metricsJson(const Scene& scene, const Plan& plan) {
     visitMotionMetrics(motion.motion,
                        [&](const std::string& name, double value) { result[name] = value; });
     if (motion.trackable_rate) result["trackable_rate"] = *motion.trackable_rate;
-    result["repair"] = repairJson(plan.repair);
+    return result;
+}
+
+/// Adds the rows of must-see regions, and the least of their rates.
+void addMustSee(json& metrics, const std::vector<RegionCoverage>& regions) {
+    double least = 1.0;
+    for (const RegionCoverage& one : regions) {
+        least = std::min(least, one.rate());
+        metrics["must_see"].push_back({{"region", one.name},
+                                       {"patches", one.patches},
+                                       {"seeable", one.seeable},
+                                       {"seen", one.seen},
+                                       {"rate", one.rate()}});
+    }
+    metrics["must_see_rate"] = least;  // 1 if there is no must-see region
+}
+
+}  // namespace
+
+json metricsJson(const Scene& scene, const Plan& plan) {
+    json result = captureMetricsJson(plan.capture_metrics);
+    result.update(motionJson(scene, plan));
+    result.update({
+        {"map_ms", plan.map_ms},
+        {"plan_ms", plan.plan_ms},
+        {"stages", json::object()},
+        {"uncaptured", uncapturedJson(scene, plan.ledger)},
+        {"not_well_captured", json::array()},
+        {"refused_pins", json::array()},
+        {"ledger", ledgerJson(scene, plan.ledger)},
+        {"repair", repairJson(plan.repair)},
+    });
+    const bool has_small = std::ranges::any_of(plan.captures, [&](const ObjectCapture& row) {
+        return isSmallTarget(scene.object(row.object_id));
+    });
+    if (!has_small) result["small_capture_rate"] = nullptr;
+    for (const PassedKey& key : plan.passed_keys) {
+        json& one =
+            result["camera_keys"].emplace_back(json{{"frame", key.frame}, {"time_s", key.time_s}});
+        if (!key.note.empty()) one["note"] = key.note;
+    }
     for (const StageTime& stage : plan.stages) result["stages"][stage.name] = stage.milliseconds;
     for (const LedgerRow& row : plan.ledger) {
         if (!row.captured || row.well_captured) continue;
@@ -188,20 +215,11 @@ json metricsJson(const Scene& scene, const Plan& plan) {
     for (const RefusedPin& one : plan.refused_pins) {
         result["refused_pins"].push_back({{"point", one.name}, {"reason", one.reason}});
     }
-    double least = 1.0;
-    for (const RegionCoverage& one : plan.must_see) {
-        least = std::min(least, one.rate());
-        result["must_see"].push_back({{"region", one.name},
-                                      {"patches", one.patches},
-                                      {"seeable", one.seeable},
-                                      {"seen", one.seen},
-                                      {"rate", one.rate()}});
-    }
+    addMustSee(result, plan.must_see);
     for (const AnchorTally& one : plan.anchors) {
         result["anchors"].push_back(
             {{"kind", one.kind}, {"found", one.found}, {"visited", one.visited}});
     }
-    result["must_see_rate"] = least;  // 1 if there is no must-see region
     if (plan.surface) addSurface(result, *plan.surface);
     if (!plan.tour_rooms.empty()) result["rooms"] = roomToursJson(plan);
     if (plan.scanned_share) result["scanned_share"] = *plan.scanned_share;

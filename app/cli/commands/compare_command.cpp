@@ -5,6 +5,7 @@
 #include "app/cli/given_trajectory.h"
 #include "app/cli/plan/metrics_table.h"
 #include "app/cli/scene_arguments.h"
+#include "app/cli/scene_options.h"
 #include "app/cli/terminal/output_file.h"
 #include "engine/core/log.h"
 #include "engine/io/files/durable_file.h"

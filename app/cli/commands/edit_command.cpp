@@ -2,6 +2,7 @@
 #include "app/cli/plan/metrics_table.h"
 #include "app/cli/plan/planned_scene.h"
 #include "app/cli/scene_arguments.h"
+#include "app/cli/scene_options.h"
 #include "app/cli/terminal/output_file.h"
 #include "app/project/read_project.h"
 #include "engine/document/edits_json.h"

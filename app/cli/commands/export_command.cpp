@@ -8,6 +8,7 @@
 #include "app/cli/plan/planned_scene.h"
 #include "app/cli/requirement.h"
 #include "app/cli/scene_arguments.h"
+#include "app/cli/scene_options.h"
 #include "render/dataset/export_preset.h"
 #include "render/encoders/modalities.h"
 #include "render/formats/formats.h"
@@ -158,7 +159,7 @@ void addPresetOption(CLI::App& command, std::string& preset) {
         ->type_name("NAME:{" + known + "}");
 }
 
-Result<ExitCode> runExport(const ExportArguments& arguments, const Session& session) {
+Result<ExportOrder> orderOf(const ExportArguments& arguments) {
     ExportOrder order;
     render::DatasetSettings& settings = order.settings;
     const Result<render::FrameRange> range = render::parseFrameRange(arguments.range);
@@ -184,6 +185,25 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     order.still = arguments.still;
     order.scene = arguments.scene.path;
     order.backend = arguments.backend;
+    return order;
+}
+
+void printExport(const ExportArguments& arguments, const std::vector<ExportedDataset>& datasets,
+                 const nlohmann::json& planned_metrics, const nlohmann::json& printed) {
+    if (arguments.as_json) {
+        fmt::print("{}\n", jsonText(printed));
+    } else if (datasets.front().room.empty()) {
+        printSummary(datasets.front().summary, arguments.out, planned_metrics);
+    } else {
+        printScanned(planned_metrics);
+    }
+}
+
+Result<ExitCode> runExport(const ExportArguments& arguments, const Session& session) {
+    Result<ExportOrder> read = orderOf(arguments);
+    if (!read) return tl::unexpected(std::move(read.error()));
+    ExportOrder& order = *read;
+    const render::DatasetSettings& settings = order.settings;
     const Result<bool> baseline = namesBaseline(arguments.planner);
     if (!baseline) return tl::unexpected(baseline.error());
     const auto requirements = parseRequirements(arguments.requirements);
@@ -226,14 +246,97 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
                                         session.cancelled, job.stage(0.06, 1.0, ""));
     if (!datasets) return tl::unexpected(datasets.error());
     const nlohmann::json printed = exportJson(order, *datasets, planned->metrics);
-    if (arguments.as_json) {
-        fmt::print("{}\n", jsonText(printed));
-    } else if (datasets->front().room.empty()) {
-        printSummary(datasets->front().summary, arguments.out, planned->metrics);
-    } else {
-        printScanned(planned->metrics);
-    }
+    printExport(arguments, *datasets, planned->metrics, printed);
     return areMet(*requirements, exportMetrics(printed)) ? kDone : kPartial;
+}
+
+/// Options of the folder, and of the files that are written.
+void addContentOptions(CLI::App& command, ExportArguments& arguments) {
+    command.add_option("--out", arguments.out, "Folder for the dataset; created if missing")
+        ->required()
+        ->check([](const std::string& folder) {
+            return folder.empty() ? "The name of the folder is empty." : "";
+        })
+        ->type_name("DIR");
+    command
+        .add_option("--range", arguments.range,
+                    "Frames a to b (b not included), every s-th: 100:200, ::5")
+        ->type_name("a:b:s");
+    addPresetOption(command, arguments.preset);
+    command
+        .add_option("--modalities", arguments.modalities,
+                    "Images to write: " + names(render::modalities()) +
+                        "; or all (default: " + standardNames(render::modalities()) + ")")
+        ->type_name("NAME,...")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+    command
+        .add_option("--formats", arguments.formats,
+                    "Annotations to write: " + names(render::formats()) +
+                        "; or all (default: " + standardNames(render::formats()) + ")")
+        ->type_name("NAME,...")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+    command.add_flag_callback(
+        "--list",
+        [] {
+            printChoices();
+            throw CLI::Success();
+        },
+        "List the presets, modalities and formats, then exit");
+}
+
+/// Options of flow, cameras, motion and folds.
+void addDetailOptions(CLI::App& command, ExportArguments& arguments) {
+    command
+        .add_option("--flow-distances", arguments.flow_distances,
+                    "Distances of optical flow, in frames later and earlier (default: 1)")
+        ->type_name("N,...")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+    command
+        .add_option("--rig", arguments.rig,
+                    "Additional cameras mounted on the planned one, a JSON file (see the guide "
+                    "Cameras); their images go to cameras/")
+        ->type_name("FILE");
+    command
+        .add_option(
+            "--camera", arguments.cameras,
+            "One additional camera, as in left:lens=fisheye,yaw_deg=-90; repeatable; fields: " +
+                cameraFields())
+        ->type_name("NAME:FIELD=VALUE,...")
+        ->allow_extra_args(false);
+    command.add_flag("--still", arguments.still,
+                     "Objects with a track stay at their planned poses");
+    command
+        .add_option("--folds", arguments.folds.count,
+                    "Cross-validation lists with N folds, in folds/")
+        ->type_name("N")
+        ->check(CLI::Range(2, 100));
+    command.add_option("--fold-seed", arguments.folds.seed, "Random seed of the folds")
+        ->type_name("N")
+        ->capture_default_str();
+}
+
+/// Options of the run: resuming, overwriting, OpenGL, requirements.
+void addRunOptions(CLI::App& command, ExportArguments& arguments) {
+    command.add_flag("--resume", arguments.resume,
+                     "Resume an interrupted export with the same arguments");
+    command.add_flag("--overwrite", arguments.overwrite,
+                     "Replace a complete dataset once the new one is complete; also allows a "
+                     "folder with other files, which are kept");
+    command
+        .add_option("--within", arguments.within,
+                    "Folder that contains --out; symbolic links below it are not followed")
+        ->type_name("DIR");
+    addBackendOption(command, arguments.backend);
+    command
+        .add_option("--require", arguments.requirements,
+                    "Exit with code 3 unless a metric meets a condition, as in 'dark_rate<=0.02'; "
+                    "repeatable")
+        ->type_name("CONDITION")
+        ->allow_extra_args(false);
+    command.add_flag("--json", arguments.as_json, "Print the summary as JSON");
 }
 
 }  // namespace
@@ -245,83 +348,9 @@ void addExportCommand(CLI::App& app, Session& session) {
     addSceneArguments(*command, arguments->scene);
     addParameterArguments(*command, arguments->scene);
     addPlannerArgument(*command, arguments->planner);
-    command->add_option("--out", arguments->out, "Folder for the dataset; created if missing")
-        ->required()
-        ->check([](const std::string& folder) {
-            return folder.empty() ? "The name of the folder is empty." : "";
-        })
-        ->type_name("DIR");
-    command
-        ->add_option("--range", arguments->range,
-                     "Frames a to b (b not included), every s-th: 100:200, ::5")
-        ->type_name("a:b:s");
-    addPresetOption(*command, arguments->preset);
-    command
-        ->add_option("--modalities", arguments->modalities,
-                     "Images to write: " + names(render::modalities()) +
-                         "; or all (default: " + standardNames(render::modalities()) + ")")
-        ->type_name("NAME,...")
-        ->allow_extra_args(false)
-        ->delimiter(',');
-    command
-        ->add_option("--formats", arguments->formats,
-                     "Annotations to write: " + names(render::formats()) +
-                         "; or all (default: " + standardNames(render::formats()) + ")")
-        ->type_name("NAME,...")
-        ->allow_extra_args(false)
-        ->delimiter(',');
-    command->add_flag_callback(
-        "--list",
-        [] {
-            printChoices();
-            throw CLI::Success();
-        },
-        "List the presets, modalities and formats, then exit");
-    command
-        ->add_option("--flow-distances", arguments->flow_distances,
-                     "Distances of optical flow, in frames later and earlier (default: 1)")
-        ->type_name("N,...")
-        ->allow_extra_args(false)
-        ->delimiter(',');
-    command
-        ->add_option("--rig", arguments->rig,
-                     "Additional cameras mounted on the planned one, a JSON file (see the guide "
-                     "Cameras); their images go to cameras/")
-        ->type_name("FILE");
-    command
-        ->add_option(
-            "--camera", arguments->cameras,
-            "One additional camera, as in left:lens=fisheye,yaw_deg=-90; repeatable; fields: " +
-                cameraFields())
-        ->type_name("NAME:FIELD=VALUE,...")
-        ->allow_extra_args(false);
-    command->add_flag("--still", arguments->still,
-                      "Objects with a track stay at their planned poses");
-    command
-        ->add_option("--folds", arguments->folds.count,
-                     "Cross-validation lists with N folds, in folds/")
-        ->type_name("N")
-        ->check(CLI::Range(2, 100));
-    command->add_option("--fold-seed", arguments->folds.seed, "Random seed of the folds")
-        ->type_name("N")
-        ->capture_default_str();
-    command->add_flag("--resume", arguments->resume,
-                      "Resume an interrupted export with the same arguments");
-    command->add_flag("--overwrite", arguments->overwrite,
-                      "Replace a complete dataset once the new one is complete; also allows a "
-                      "folder with other files, which are kept");
-    command
-        ->add_option("--within", arguments->within,
-                     "Folder that contains --out; symbolic links below it are not followed")
-        ->type_name("DIR");
-    addBackendOption(*command, arguments->backend);
-    command
-        ->add_option("--require", arguments->requirements,
-                     "Exit with code 3 unless a metric meets a condition, as in 'dark_rate<=0.02'; "
-                     "repeatable")
-        ->type_name("CONDITION")
-        ->allow_extra_args(false);
-    command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
+    addContentOptions(*command, *arguments);
+    addDetailOptions(*command, *arguments);
+    addRunOptions(*command, *arguments);
     command->footer(
         "Rendering, light and sensors are set with --set: see picture, light and sensor in\n"
         "'dollytrack params'.\n"

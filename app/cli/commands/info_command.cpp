@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/plan/metrics_table.h"
 #include "app/cli/scene_arguments.h"
+#include "app/cli/scene_options.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene_report.h"
 #include "planning/free_space/free_space.h"

@@ -7,6 +7,7 @@
 #include "app/cli/plan/planned_scene.h"
 #include "app/cli/requirement.h"
 #include "app/cli/scene_arguments.h"
+#include "app/cli/scene_options.h"
 #include "app/cli/terminal/output_file.h"
 #include "app/cli/terminal/terminal_text.h"
 #include "engine/core/log.h"

@@ -2,6 +2,7 @@
 #include "app/cli/given_trajectory.h"
 #include "app/cli/plan/metrics_table.h"
 #include "app/cli/scene_arguments.h"
+#include "app/cli/scene_options.h"
 #include "app/cli/terminal/output_file.h"
 #include "app/project/read_project.h"
 #include "engine/core/clean_text.h"

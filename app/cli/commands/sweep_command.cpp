@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/compare/sweep.h"
 #include "app/cli/compare/sweep_output.h"
+#include "app/cli/scene_options.h"
 #include "app/cli/terminal/output_file.h"
 #include "engine/core/log.h"
 #include "engine/io/files/durable_file.h"

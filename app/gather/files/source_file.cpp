@@ -42,6 +42,15 @@ Result<std::string> readProven(const SourceFile& file, std::uint64_t most) {
     return bytes;
 }
 
+Status readProven(const SourceFile& file, std::string& into, std::uint64_t most) {
+    const Result<InputFile> from = openNamedFile(file.path);
+    if (!from) return tl::unexpected(from.error());
+    if (from->size() > most) return tl::unexpected(from->readAll(most).error());
+    into.resize(from->size());
+    into.resize(from->read(0, into.data(), into.size()));
+    return sha256Of(std::string_view(into)) == file.sha256 ? Status() : damaged(file);
+}
+
 Status copyProven(const SourceFile& file, const GuardedFolder& to, const std::string& name) {
     const Result<InputFile> from = openNamedFile(file.path);
     if (!from) return tl::unexpected(from.error());

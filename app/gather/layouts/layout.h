@@ -81,6 +81,8 @@ struct LayoutKind {
     std::unique_ptr<Layout> (*make)(LayoutInput input);
     const char* labels;       // after "frames with", in the dataset's README.md
     const char* how_to_read;  // in the dataset's README.md
+    /// What follows how_to_read about the gathered modalities; null: nothing.
+    std::string (*how_to_read_modalities)(const std::set<std::string>& modalities) = nullptr;
     /// `path` of a part in the README's header, as in "{}-*.tar"; null: Hugging Face has no reader.
     const char* data_files;
     std::uint64_t shard_bytes = 1'000'000'000;   // the default limit
@@ -104,5 +106,11 @@ extern const LayoutKind kMcapLayout;
 extern const LayoutKind kRosbagLayout;
 
 [[nodiscard]] std::span<const LayoutKind* const> layouts();
+
+/// "`depth.png` and `instance.png` have the same pixels as the colour image. " with the file
+/// extension or an empty text as `ending`; empty if there are neither depth, instance nor class
+/// images.
+[[nodiscard]] std::string labelImagesText(const std::set<std::string>& modalities,
+                                          std::string_view ending);
 
 }  // namespace dollytrack::gather

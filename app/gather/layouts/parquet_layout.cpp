@@ -175,19 +175,24 @@ class ParquetLayout : public ShardLayout<ParquetRow> {
         object_id_ += source.annotations[frame].size();
     }
 
-    [[nodiscard]] Result<ParquetRow> read(const OpenedSource& source,
-                                          std::size_t frame) const override {
+    [[nodiscard]] Status read(const OpenedSource& source, std::size_t frame,
+                              ParquetRow& row) const override {
         const verify::StoredFrame& stored = source.dataset.frames[frame];
-        ParquetRow row{source.frameName(frame),  source.source.name, source.source.scene, frame,
-                       source.dataset.lens,      stored.time_s,      stored.pose,         {},
-                       source.annotations[frame]};
+        row.name = source.frameName(frame);
+        row.source = source.source.name;
+        row.scene = source.source.scene;
+        row.frame = frame;
+        row.lens = source.dataset.lens;
+        row.time_s = stored.time_s;
+        row.pose = stored.pose;
+        row.objects = source.annotations[frame];
+        row.images.resize(input().modalities.size());
+        std::size_t number = 0;
         for (const std::string& modality : input().modalities) {
-            Result<std::string> bytes =
-                readProven(source.file(frameFileOf(source.dataset, modality, frame)));
-            if (!bytes) return tl::unexpected(bytes.error());
-            row.images.push_back(std::move(*bytes));
+            const SourceFile file = source.file(frameFileOf(source.dataset, modality, frame));
+            if (Status proven = readProven(file, row.images[number++]); !proven) return proven;
         }
-        return row;
+        return {};
     }
 
     [[nodiscard]] std::uint64_t bytesWith(const ParquetRow& row) const override {
@@ -281,6 +286,15 @@ class ParquetLayout : public ShardLayout<ParquetRow> {
     std::size_t object_id_ = 0;
 };
 
+/// What the dataset's README.md says about images besides the colour image.
+std::string parquetImagesText(const std::set<std::string>& modalities) {
+    std::string text = labelImagesText(modalities, "");
+    if (modalities.contains(kInstance)) {
+        text += "The value of an object's pixels in `instance` is its `object_id`. ";
+    }
+    return text;
+}
+
 }  // namespace
 
 const LayoutKind kParquetLayout = {
@@ -291,11 +305,11 @@ const LayoutKind kParquetLayout = {
     .make = makeLayout<ParquetLayout>,
     .labels = kBoxesAndMasks,
     .how_to_read =
-        "`datasets.load_dataset(\".\")` reads it. `image` is the colour image; `depth`, `instance` "
-        "and `semantic` have the same pixels. `objects` has boxes (x, y, width, height, px), class "
-        "numbers, the objects' values in `instance`, and masks (JSON of COCO's compressed run "
-        "lengths). `pose` is world_from_camera, a 4 x 4 matrix by rows, and `intrinsics` is fx, "
-        "fy, cx, cy.",
+        "`datasets.load_dataset(\".\")` reads it. `image` is the colour image. `objects` has boxes "
+        "(x, y, width, height, px), class numbers, `object_id`, a number that an object has in all "
+        "frames of its source, and masks (JSON of COCO's compressed run lengths). `pose` is "
+        "world_from_camera, a 4 x 4 matrix by rows, and `intrinsics` is fx, fy, cx, cy.",
+    .how_to_read_modalities = parquetImagesText,
     .data_files = "data/{}-*",
     .shard_bytes = 500'000'000,
 };

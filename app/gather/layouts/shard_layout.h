@@ -13,8 +13,8 @@
 namespace dollytrack::gather {
 
 /// A layout of numbered files (shards) that each hold as many frames as the limits allow. `Frame`
-/// is the content of a frame, read but not yet written. One thread writes frames while the others
-/// read the next ones.
+/// is the content of a frame, read but not yet written; its memory is used again for later frames.
+/// One thread writes frames while the others read the next ones.
 template <class Frame>
 class ShardLayout : public Layout {
   public:
@@ -27,21 +27,23 @@ class ShardLayout : public Layout {
 
     Status add(const OpenedSource& source, std::size_t begin, std::size_t end) override {
         for (; frames_to_skip_ > 0 && begin < end; ++begin, --frames_to_skip_) skip(source, begin);
-        std::vector<Result<Frame>> frames(end - begin, Frame());
+        const std::size_t count = end - begin;
+        if (being_read_.size() < count) being_read_.resize(count);
+        std::vector<Status> have_read(count);
         Status appended;
-        parallelFor(frames.size() + 1, [&](std::size_t i) {
+        parallelFor(count + 1, [&](std::size_t i) {
             if (i == 0) {
                 appended = appendWaiting();
             } else if (!input_.job.cancelled()) {
-                frames[i - 1] = read(source, begin + i - 1);
+                have_read[i - 1] = read(source, begin + i - 1, being_read_[i - 1]);
             }
         });
-        if (!appended) return appended;
-        for (Result<Frame>& frame : frames) {
-            if (input_.job.cancelled()) return {};
-            if (!frame) return tl::unexpected(frame.error());
-            waiting_.push_back(std::move(*frame));
+        if (!appended || input_.job.cancelled()) return appended;
+        for (const Status& one : have_read) {
+            if (!one) return one;
         }
+        std::swap(waiting_, being_read_);
+        waiting_count_ = count;
         return {};
     }
 
@@ -57,9 +59,9 @@ class ShardLayout : public Layout {
     [[nodiscard]] virtual std::string shardName(std::size_t shard) const = 0;
     /// Called for a frame in a shard that an earlier run finished.
     virtual void skip(const OpenedSource& /*source*/, std::size_t /*frame*/) {}
-    /// Called by several threads at once.
-    [[nodiscard]] virtual Result<Frame> read(const OpenedSource& source,
-                                             std::size_t frame) const = 0;
+    /// Replaces the content of `into`. Called by several threads at once.
+    [[nodiscard]] virtual Status read(const OpenedSource& source, std::size_t frame,
+                                      Frame& into) const = 0;
     /// The size that the open shard has at most, if it ends after one more frame.
     [[nodiscard]] virtual std::uint64_t bytesWith(const Frame& frame) const = 0;
     [[nodiscard]] virtual Status beginFile() { return {}; }
@@ -93,10 +95,10 @@ class ShardLayout : public Layout {
 
     Status appendWaiting() {
         Status status;
-        for (const Frame& frame : waiting_) {
-            if (status) status = appendToShard(frame);
+        for (std::size_t i = 0; i < waiting_count_; ++i) {
+            if (status) status = appendToShard(waiting_[i]);
         }
-        waiting_.clear();
+        waiting_count_ = 0;
         return status;
     }
 
@@ -134,7 +136,9 @@ class ShardLayout : public Layout {
     std::size_t shard_ = 0;           // number within the part
     std::size_t frames_ = 0;          // in the open shard
     std::size_t frames_to_skip_ = 0;  // frames in finished shards, not written again
-    std::vector<Frame> waiting_;      // frames read but not yet written
+    std::vector<Frame> waiting_;      // begins with frames that are not written yet
+    std::size_t waiting_count_ = 0;
+    std::vector<Frame> being_read_;
     std::optional<HashingFileWriter> file_;
 };
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -19,8 +20,9 @@ constexpr std::size_t kTarEnd = 2 * kTarBlock;  // an archive ends with two empt
 using FrameMembers = std::vector<std::pair<std::string, std::string>>;
 
 /// A frame's JSON. Masks are already JSON and are inserted unchanged.
-std::string describeFrame(const OpenedSource& source, std::size_t frame,
-                          const ClassUnion& classes) {
+/// @param class_names  as JSON
+std::string describeFrame(const OpenedSource& source, std::size_t frame, const ClassUnion& classes,
+                          const std::vector<std::string>& class_names) {
     const verify::StoredFrame& stored = source.dataset.frames[frame];
     const Intrinsics& lens = source.dataset.lens;
     const Eigen::Vector3d& p = stored.pose.position;
@@ -36,17 +38,19 @@ std::string describeFrame(const OpenedSource& source, std::size_t frame,
               {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}})
             .dump();
     text.pop_back();  // removes the closing bracket, because the objects follow
-    std::string objects;
+    text += R"(,"objects":[)";
+    const char* separator = "";
     for (const Annotation& one : source.annotations[frame]) {
-        const GatheredClass& of = classes.classes()[one.class_index];
-        objects += fmt::format(
+        fmt::format_to(
+            std::back_inserter(text),
             R"({}{{"bbox":[{},{},{},{}],"category":{},"category_id":{},"name":{},"area":{},)"
             R"("object_id":{},"segmentation":{}}})",
-            objects.empty() ? "" : ",", one.box[0], one.box[1], one.box[2], one.box[3],
-            one.class_index, of.id, nlohmann::json(of.name).dump(), one.area, one.object_id,
-            one.segmentation);
+            separator, one.box[0], one.box[1], one.box[2], one.box[3], one.class_index,
+            classes.classes()[one.class_index].id, class_names[one.class_index], one.area,
+            one.object_id, one.segmentation);
+        separator = ",";
     }
-    return text + fmt::format(R"(,"objects":[{}]}})", objects);
+    return text + "]}";
 }
 
 /// The extensions of a frame's files of a modality, and their names in the dataset.
@@ -76,7 +80,11 @@ struct WebDatasetSample {
 /// them.
 class WebDatasetLayout : public ShardLayout<WebDatasetSample> {
   public:
-    explicit WebDatasetLayout(LayoutInput input) : ShardLayout(std::move(input)) {}
+    explicit WebDatasetLayout(LayoutInput layout_input) : ShardLayout(std::move(layout_input)) {
+        for (const GatheredClass& one : input().classes.classes()) {
+            class_names_.push_back(nlohmann::json(one.name).dump());
+        }
+    }
 
     Status beginPart(PartIndex part) override {
         kept_.clear();
@@ -122,18 +130,25 @@ class WebDatasetLayout : public ShardLayout<WebDatasetSample> {
         return fmt::format("{}-{:06}.tar", part(), shard);
     }
 
-    [[nodiscard]] Result<WebDatasetSample> read(const OpenedSource& source,
-                                                std::size_t frame) const override {
-        WebDatasetSample sample{source.frameName(frame), {}};
+    [[nodiscard]] Status read(const OpenedSource& source, std::size_t frame,
+                              WebDatasetSample& sample) const override {
+        sample.key = source.frameName(frame);
+        std::size_t members = 0;
+        const auto addMember = [&](std::string extension) -> std::string& {
+            if (members == sample.members.size()) sample.members.emplace_back();
+            auto& [of_member, content] = sample.members[members++];
+            of_member = std::move(extension);
+            return content;
+        };
         for (const std::string& modality : input().modalities) {
             for (auto& [extension, name] : filesByExtension(source.dataset, modality, frame)) {
-                Result<std::string> bytes = readProven(source.file(name));
-                if (!bytes) return tl::unexpected(bytes.error());
-                sample.members.emplace_back(std::move(extension), std::move(*bytes));
+                std::string& content = addMember(std::move(extension));
+                if (Status proven = readProven(source.file(name), content); !proven) return proven;
             }
         }
-        sample.members.emplace_back("json", describeFrame(source, frame, input().classes));
-        return sample;
+        addMember("json") = describeFrame(source, frame, input().classes, class_names_);
+        sample.members.resize(members);
+        return {};
     }
 
     [[nodiscard]] std::uint64_t bytesWith(const WebDatasetSample& sample) const override {
@@ -156,8 +171,30 @@ class WebDatasetLayout : public ShardLayout<WebDatasetSample> {
 
     [[nodiscard]] Status endFile() override { return file().write(std::string(kTarEnd, '\0')); }
 
-    std::vector<FinishedShard> kept_;  // of the part
+    std::vector<FinishedShard> kept_;       // of the part
+    std::vector<std::string> class_names_;  // as JSON
 };
+
+/// What the dataset's README.md says about images besides the colour image.
+std::string webDatasetImagesText(const std::set<std::string>& modalities) {
+    std::string text = labelImagesText(modalities, ".png");
+    const bool has_instances = modalities.contains(kInstance);
+    if (has_instances)
+        text += "The value of an object's pixels in `instance.png` is its `object_id`. ";
+    if (has_instances || modalities.contains(kDepth)) {
+        text += fmt::format(
+            "Without `only`, webdataset would turn the 16-bit images into 8-bit colours; "
+            "`cv2.imdecode(np.frombuffer(sample[\"{}.png\"], np.uint8), -1)` decodes them. ",
+            modalities.contains(kDepth) ? kDepth : kInstance);
+    }
+    if (modalities.contains(kSceneFlow)) {
+        text += "`scene_flow_1.exr` is the 3D motion to the next frame. ";
+    }
+    if (modalities.contains(kTracks)) {
+        text += "`tracks/PART` contains point tracks as NumPy arrays. ";
+    }
+    return text;
+}
 
 constexpr std::array<const char*, 2> kWebDatasetExtra = {kSceneFlow, kTracks};
 
@@ -173,14 +210,14 @@ const LayoutKind kWebDatasetLayout = {
     .labels = kBoxesAndMasks,
     .how_to_read =
         "`webdataset.WebDataset(\"train-000000.tar\").decode(\"pil\", only=[\"png\", \"json\"])` "
-        "reads "
-        "a tar file; `datasets.load_dataset(\".\", streaming=True)` all of them. `png` is the "
-        "colour "
-        "image; `depth.png`, `instance.png` and `semantic.png` have the same pixels; `json` has "
-        "boxes, masks, camera and pose. Without `only`, webdataset would turn the 16-bit images "
-        "into 8-bit colours; `cv2.imdecode(np.frombuffer(sample[\"depth.png\"], np.uint8), -1)` "
-        "decodes them. If all source datasets have them, `scene_flow_1.exr` is the 3D motion to "
-        "the next frame and `tracks/PART` contains point tracks as NumPy arrays.",
+        "reads a tar file; `datasets.load_dataset(\".\", streaming=True)` all of them. `png` is "
+        "the "
+        "colour image. `json` has the camera (`intrinsics`, `position`, `quaternion_xyzw`) and "
+        "`objects`: `bbox` is x, y, width, height in px, `category` the class's number in the "
+        "table "
+        "below, `object_id` a number that an object has in all frames of its source, and "
+        "`segmentation` the mask in COCO's compressed run lengths.",
+    .how_to_read_modalities = webDatasetImagesText,
     .data_files = "{}-*.tar",
     .extra = kWebDatasetExtra,
 };

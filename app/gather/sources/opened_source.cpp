@@ -78,11 +78,15 @@ Result<verify::StoredDataset> readDescription(const Source& source) {
     return dataset;
 }
 
+void keepConventionsOnly(verify::StoredDataset& dataset) {
+    dataset.card = {{"conventions", Json(dataset.card.at("conventions"))}};
+}
+
 Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes) {
-    Result<verify::StoredDataset> dataset = readDescription(source);
+    Result<verify::StoredDataset> dataset =
+        source.kept ? Result<verify::StoredDataset>(*source.kept) : readDescription(source);
     if (!dataset) return tl::unexpected(dataset.error());
-    // The rest of dataset.json is freed before annotations.json is read, because both are large.
-    dataset->card = {{"conventions", Json(dataset->card.at("conventions"))}};
+    keepConventionsOnly(*dataset);  // before annotations.json is read, which is large, too
     const Result<SourceFile> file = listedFile(*dataset, kAnnotationFile);
     if (!file) return tl::unexpected(file.error());
     const Result<std::string> text = readProven(*file);

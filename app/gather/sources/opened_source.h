@@ -40,8 +40,11 @@ struct OpenedSource {
 /// looked at.
 [[nodiscard]] Result<verify::StoredDataset> readDescription(const Source& source);
 
-/// Reads dataset.json and annotations.json. Error: BadInput where a file is damaged, or has changed
-/// since the dataset was looked at.
+/// Removes the parts of dataset.json that only few layouts need, because they need much memory.
+void keepConventionsOnly(verify::StoredDataset& dataset);
+
+/// Reads annotations.json, and dataset.json unless it is kept. Error: BadInput where a file is
+/// damaged, or has changed since the dataset was looked at.
 [[nodiscard]] Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes);
 
 }  // namespace dollytrack::gather

@@ -56,6 +56,9 @@ struct Source {
     std::set<std::string> others;                   // modalities that only some layouts hold
     std::size_t scene_number = 0;                   // as scenesOf() numbers them
     std::shared_ptr<const ClassTable> own_classes;  // null: NYU40
+    /// dataset.json, of which `card` has the conventions only. Null: read again when needed, so
+    /// that memory does not grow with the number of frames.
+    std::shared_ptr<const verify::StoredDataset> kept;
 
     [[nodiscard]] const ClassTable& classes() const {
         return own_classes ? *own_classes : ClassTable::nyu40();

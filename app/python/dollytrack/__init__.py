@@ -18,18 +18,18 @@ from .errors import BadInput, Cancelled, CannotWrite, Error, Failed, NoOpenGl, U
 
 if TYPE_CHECKING:
     from ._core import version as __version__
-    from .arguments import PARAMETERS as PARAMETERS
+    from .arguments import PARAMETERS as PARAMETERS, parameters as parameters
     from .plan import Frame as Frame, Frames as Frames, Plan as Plan
     from .scene import Scene as Scene, SceneObject as SceneObject
     from .scene import judge as judge, load as load, set_threads as set_threads
 
 __all__ = ["BadInput", "Cancelled", "CannotWrite", "Dataset", "Error", "Failed", "Frame", "Frames",
            "NoOpenGl", "PARAMETERS", "Plan", "Sample", "Scene", "SceneObject", "Tracks", "Usage", "judge",
-           "load", "set_threads"]
+           "load", "parameters", "set_threads"]
 
 _OF_ENGINE = {"PARAMETERS": "arguments", "Frame": "plan", "Frames": "plan", "Plan": "plan",
               "Scene": "scene", "SceneObject": "scene", "judge": "scene", "load": "scene",
-              "set_threads": "scene"}
+              "parameters": "arguments", "set_threads": "scene"}
 
 
 def __getattr__(name: str) -> Any:

@@ -3,6 +3,7 @@ import inspect
 import operator
 import os
 import sys
+import textwrap
 from typing import Any, Callable, Dict, Iterable, List, NamedTuple, Optional, Tuple, Union
 
 from . import _core
@@ -26,14 +27,49 @@ class Parameter(NamedTuple):
     choices: Tuple[str, ...]
 
 
-def _listed() -> Dict[str, Parameter]:
+class Parameters(Dict[str, Parameter]):
+    """Parameters by name. Shown as a table in notebooks and by print()."""
+
+    def __repr__(self) -> str:
+        lines: List[str] = []
+        section = ""
+        for p in self.values():
+            if p.section != section:
+                section = p.section
+                lines.append(section)
+            lines.extend(_described(p))
+        return "\n".join(lines) or "No parameters."
+
+
+def _described(p: Parameter, indent: str = "  ") -> List[str]:
+    unit = f" {p.unit}" if p.unit else ""
+    return [f"{indent}{p.name}: {p.type.__name__} = {p.default!r}  ({p.range}{unit})",
+            *textwrap.wrap(p.text, 96, initial_indent=indent + "    ",
+                           subsequent_indent=indent + "    ")]
+
+
+def _listed() -> Parameters:
     types: Dict[str, type] = {"bool": bool, "int": int, "float": float, "str": str}
-    return {row[1]: Parameter(row[0], row[1], types[row[2]], *row[3:7], tuple(row[7]))
-            for row in _core.parameters()}
+    return Parameters({row[1]: Parameter(row[0], row[1], types[row[2]], *row[3:7], tuple(row[7]))
+                       for row in _core.parameters()})
 
 
 #: All parameters by name, in the order of their sections.
 PARAMETERS = _listed()
+
+
+def parameters(search: str = "") -> Parameters:
+    """The parameters whose section, name or description contains a text; all of them by default.
+
+    In a notebook, dt.parameters("frame") shows them as a table; dt.parameters()["fill"].default is a
+    value of it. Scene.plan() accepts all of them, other methods those of their sections (see help()).
+    """
+    if not isinstance(search, str):
+        raise failure(Usage, f"The text must be a str, not {type(search).__name__}.", "search")
+    text = search.lower()
+    return Parameters({name: p for name, p in PARAMETERS.items()
+                       if text in p.section or text in name.lower() or text in p.text.lower()})
+
 
 #: Sections that affect only images, not the plan: render() and export() accept their parameters.
 PICTURE_SECTIONS = ("imu", "stereo", "picture", "light", "sensor")
@@ -62,8 +98,28 @@ def _text(name: str, value: Any) -> str:
     raise failure(Usage, f"A value of the type {type(value).__name__} cannot be used{wanted}.", name)
 
 
-def takes_parameters(sections: Optional[Iterable[str]] = None) -> Callable[[Any], Any]:
-    """Decorator: adds the parameters to the signature and documentation of a method with **parameters."""
+class _ShortSignature(inspect.Signature):
+    """A signature with all parameters, for completion in notebooks, that help() shows without them."""
+
+    __slots__ = ()
+
+    def _short(self) -> inspect.Signature:
+        shown = [p for p in self.parameters.values() if p.name not in PARAMETERS]
+        rest = inspect.Parameter("parameters", inspect.Parameter.VAR_KEYWORD, annotation="Value")
+        return inspect.Signature([*shown, rest], return_annotation=self.return_annotation)
+
+    def __str__(self) -> str:
+        return str(self._short())
+
+    def format(self, **options: Any) -> str:
+        """As help() of Python 3.13 shows it."""
+        return self._short().format(**options)  # type: ignore[attr-defined, no-any-return]
+
+
+def takes_parameters(often_used: Iterable[str], sections: Optional[Iterable[str]] = None
+                     ) -> Callable[[Any], Any]:
+    """Decorator: adds the parameters to the signature of a method with **parameters, and those that
+    are often used to its documentation. None: the parameters of all sections."""
 
     def describe(function: Any) -> Any:
         chosen = [p for p in PARAMETERS.values() if sections is None or p.section in sections]
@@ -71,16 +127,15 @@ def takes_parameters(sections: Optional[Iterable[str]] = None) -> Callable[[Any]
         fixed = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
         named = [inspect.Parameter(p.name, inspect.Parameter.KEYWORD_ONLY, default=p.default,
                                    annotation=p.type) for p in chosen]
-        function.__signature__ = signature.replace(parameters=fixed + named)
-        lines = [inspect.cleandoc(function.__doc__ or ""), "", "Parameters"]
-        section = ""
-        for p in chosen:
-            if p.section != section:
-                section = p.section
-                lines.append(f"  {section}")
-            unit = f" {p.unit}" if p.unit else ""
-            lines.append(f"    {p.name}: {p.type.__name__} = {p.default!r}  ({p.range}{unit})")
-            lines.append(f"        {p.text}")
+        function.__signature__ = _ShortSignature([*fixed, *named],
+                                                 return_annotation=signature.return_annotation)
+        lines = [inspect.cleandoc(function.__doc__ or ""), "", "Often used parameters:"]
+        for name in often_used:
+            lines.extend(_described(PARAMETERS[name], ""))
+        of_sections = "" if sections is None else f" of the sections {', '.join(sections)}"
+        lines += ["", *textwrap.wrap(
+            f"All {len(chosen)} parameters{of_sections} are accepted; dollytrack.parameters() lists "
+            "all, dollytrack.parameters('TEXT') finds those about a subject.", 96)]
         function.__doc__ = "\n".join(lines)
         return function
 

@@ -1,4 +1,6 @@
 """Reads exported datasets; needs only NumPy."""
+from __future__ import annotations
+
 import json
 import operator
 from collections.abc import Mapping, Sequence
@@ -34,19 +36,21 @@ _READ: Dict[str, Optional[float]] = {
 
 
 class Tracks(NamedTuple):
-    """Points on surfaces, followed through a clip: N tracks, T frames."""
+    """Points on surfaces, followed through a clip: N tracks, T frames.
 
-    #: Index of the clip's first frame.
+    first_frame: index of the clip's first frame.
+    points: (N, T, 2) x and y in px; (-1, -1) nearer than near_m and behind the camera.
+    points_3d: (N, T, 3) positions in the world, m.
+    occluded: (N, T) whether the point is hidden by a surface or outside the image.
+    query_points: (N, 3) frame counted from the clip's first, y and x in px, where the point is visible.
+    object_ids: (N,) ids of the objects.
+    """
+
     first_frame: int
-    #: (N, T, 2) x and y in px; (-1, -1) nearer than near_m and behind the camera.
     points: npt.NDArray[np.float32]
-    #: (N, T, 3) positions in the world, m.
     points_3d: npt.NDArray[np.float32]
-    #: (N, T) whether the point is hidden by a surface or outside the image.
     occluded: npt.NDArray[np.bool_]
-    #: (N, 3) frame counted from the clip's first, y and x in px, where the point is visible.
     query_points: npt.NDArray[np.float32]
-    #: (N,) ids of the objects.
     object_ids: npt.NDArray[np.uint16]
 
 

@@ -1,4 +1,6 @@
 """Planned trajectories, their frames and datasets."""
+from __future__ import annotations
+
 import csv
 import io
 import json
@@ -13,6 +15,9 @@ from .errors import Usage, failure
 
 if TYPE_CHECKING:
     from .scene import Scene
+
+_OFTEN_USED = ("render_mode", "antialias", "light_preset", "time_of_day_h", "sun_strength",
+               "exposure_ev", "light_variation", "sensor_preset")
 
 
 class Frame(Mapping[str, npt.NDArray[Any]]):
@@ -156,7 +161,7 @@ class Plan:
         return {kind: {name: np.array([float(row[name]) for row in rows if row["budget"] == kind])
                        for name in names} for kind in ("frames", "length")}
 
-    @arguments.takes_parameters(PICTURE_SECTIONS)
+    @arguments.takes_parameters(_OFTEN_USED, sections=PICTURE_SECTIONS)
     def render(self, *images: str, range: str = "::", still: bool = False, gl: str = "auto",
                progress: Progress = None, **parameters: Value) -> Frames:
         """Renders the frames one by one; nothing is written.
@@ -185,7 +190,7 @@ class Plan:
                                  "pass a file to from_arrays().", str(file))
         self._core.save(file=arguments.path(file, "file"))
 
-    @arguments.takes_parameters(PICTURE_SECTIONS)
+    @arguments.takes_parameters(_OFTEN_USED, sections=PICTURE_SECTIONS)
     def export(self, folder: Path, *, preset: Optional[str] = None,
                modalities: Union[None, str, Iterable[str]] = None,
                formats: Union[None, str, Iterable[str]] = None, range: str = "::",

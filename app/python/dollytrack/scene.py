@@ -1,4 +1,6 @@
 """Scenes, read from files or made of arrays."""
+from __future__ import annotations
+
 import atexit
 import json
 import shutil
@@ -22,20 +24,32 @@ End = Union[None, str, Tuple[Sequence[float], Sequence[float]]]
 
 @dataclass(frozen=True, eq=False)
 class SceneObject:
-    """An object of a scene."""
+    """An object of a scene.
 
-    id: int  #: 1 .. n, also the value in instance images
+    id: 1 .. n, also the value in instance images.
+    class_id: the value in semantic images.
+    role: "target" (to be captured), "structure" (part of the building) or "excluded".
+    large: whether the planner views it as a large object.
+    center: (3,) centre of its box, world, m.
+    size: (3,) size of its upright box along the box's axes, m.
+    yaw: angle from the world's x axis to the box's first axis, radians.
+    front: (3,) direction of its front, a horizontal unit vector.
+    corners: (8, 3) corners of its box, world, m.
+    faces: its rows in Scene.faces.
+    """
+
+    id: int
     name: str
-    class_id: int  #: the value in semantic images
+    class_id: int
     class_name: str
-    role: str  #: "target" (to be captured), "structure" (part of the building) or "excluded"
+    role: str
     large: bool
-    center: npt.NDArray[np.float64]  #: (3,) centre of its box, world, m
-    size: npt.NDArray[np.float64]  #: (3,) size of its upright box along the box's axes, m
-    yaw: float  #: angle from the world's x axis to the box's first axis, radians
-    front: npt.NDArray[np.float64]  #: (3,) direction of its front, a horizontal unit vector
-    corners: npt.NDArray[np.float64] = field(repr=False)  #: (8, 3) corners of its box, world, m
-    faces: slice = field(repr=False)  #: its rows in Scene.faces
+    center: npt.NDArray[np.float64]
+    size: npt.NDArray[np.float64]
+    yaw: float
+    front: npt.NDArray[np.float64]
+    corners: npt.NDArray[np.float64] = field(repr=False)
+    faces: slice = field(repr=False)
 
 
 class Scene:
@@ -158,7 +172,9 @@ class Scene:
         report: Dict[str, Any] = json.loads(self._core.report())
         return report
 
-    @arguments.takes_parameters()
+    @arguments.takes_parameters(("max_frames", "max_length_m", "fill", "frame_rate", "duration_s",
+                                 "width_px", "height_px", "hfov_deg", "camera_preset", "rooms",
+                                 "loop", "seed"))
     def plan(self, *, ignore: Union[None, str, Iterable[str]] = None,
              only: Union[None, str, Iterable[str]] = None, start: End = None, end: End = None,
              time_s: Optional[float] = None, progress: Progress = None,
@@ -237,7 +253,8 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
         progress=arguments.reporter(progress)))
 
 
-@arguments.takes_parameters(("body", "camera", "free_space"))
+@arguments.takes_parameters(("camera_radius_m", "width_px", "height_px", "hfov_deg"),
+                            sections=("body", "camera", "free_space"))
 def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = None,
           paths: Optional[npt.ArrayLike] = None, *, progress: Progress = None,
           **parameters: Value) -> Dict[str, Any]:

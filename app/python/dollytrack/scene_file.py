@@ -1,4 +1,6 @@
 """Writes arrays of triangles as a scene file: GLB, with annotations that name its objects."""
+from __future__ import annotations
+
 import json
 import os
 import re

@@ -1,4 +1,6 @@
 """Datasets for PyTorch's DataLoader."""
+from __future__ import annotations
+
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np

@@ -2,6 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/io/datasets/model_library.h"
+#include "engine/io/files/file_type.h"
 #include "engine/io/files/number_lines.h"
 
 #include <fmt/format.h>
@@ -12,11 +13,6 @@ namespace dollytrack {
 namespace {
 
 constexpr std::string_view kLayout = "layout_file:";
-
-std::string_view withoutByteOrderMark(std::string_view text) {
-    constexpr std::string_view kMark = "\xEF\xBB\xBF";
-    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
-}
 
 /// The non-empty lines of a file, with their numbers.
 class Lines {

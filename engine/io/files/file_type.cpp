@@ -4,8 +4,14 @@
 
 namespace dollytrack {
 
+std::string_view withoutByteOrderMark(std::string_view text) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 std::string_view fromFirstLetter(std::string_view head) {
-    const auto at = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    head = withoutByteOrderMark(head);
+    const auto at = head.find_first_not_of(" \t\r\n");
     return at == std::string_view::npos ? std::string_view() : head.substr(at);
 }
 

@@ -6,6 +6,9 @@
 
 namespace dollytrack {
 
+/// A text without the byte-order mark that some editors put at its beginning.
+[[nodiscard]] std::string_view withoutByteOrderMark(std::string_view text);
+
 /// A text without leading blanks and byte-order mark.
 std::string_view fromFirstLetter(std::string_view head);
 

@@ -97,6 +97,21 @@ const json& sectionOf(const json& document, const char* key) {
     return found != document.end() && found->is_object() ? *found : nothing;
 }
 
+/// The index of each template of a config's list, by its handle or else its file name.
+std::map<std::string, std::size_t> indexByName(const json::array_t& configs,
+                                               const std::string& ending) {
+    std::map<std::string, std::size_t> index;
+    for (std::size_t i = 0; i < configs.size(); ++i) {
+        std::string name = textIn(configs[i], "template_handle");
+        if (name.empty()) {
+            name = lastName(textIn(configs[i], "original_file"));
+            name = withoutEnding(name, ending).value_or(name);
+        }
+        index.try_emplace(std::move(name), i);
+    }
+    return index;
+}
+
 }  // namespace
 
 Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder, ReachableFiles files,
@@ -146,15 +161,7 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
     if (kind != Kind::SemanticScene) {
         keys_.check(values, KeyCheck::Place::Section, config_name_);
     }
-    for (std::size_t i = 0; i < section.configs.size(); ++i) {
-        std::string name = textIn(section.configs[i], "template_handle");
-        if (name.empty()) {
-            const std::string original = textIn(section.configs[i], "original_file");
-            name = lastName(original);
-            name = withoutEnding(name, words.ending).value_or(name);
-        }
-        section.config_of.try_emplace(std::move(name), i);
-    }
+    section.config_of = indexByName(section.configs, words.ending);
     const auto add = [&](const fs::path& file, const std::string& ending) {
         const std::string name = file.filename().string();
         section.files.push_back(file);

@@ -5,6 +5,7 @@
 #include "engine/core/name_pattern.h"
 #include "engine/document/json_reader.h"
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/files/file_type.h"
 #include "engine/io/files/input_file.h"
 #include "engine/scene/labels.h"
 
@@ -240,10 +241,7 @@ Result<LabelFile> readLabelFile(const std::filesystem::path& path) {
     if (!text) return tl::unexpected(text.error());
     LabelFile file;
     file.word_place = path.string();
-    constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
-    const std::size_t start = text->starts_with(kByteOrderMark) ? 3 : 0;
-    const std::size_t first = text->find_first_not_of(" \t\r\n", start);
-    if (first == std::string::npos || (*text)[first] != '{') {
+    if (firstLetter(*text) != '{') {
         file.word_lines = std::move(*text);
         return file;
     }

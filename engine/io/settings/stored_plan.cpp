@@ -10,10 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-/// The schema of a stored plan. A text is the type of a value, a rate being a number from 0 to 1;
-/// "?" permits null. All entries of a list have the same schema. Members of an object are optional
-/// unless their name ends in "!".
-json planForm() {
+/// The part of planForm() about metrics that are lists or objects.
+json metricListsForm() {
     const json tally = {{"frames!", "count"}, {"low!", "count"}, {"mean_score!", "number"}};
     const json remedy = {{"text", "text"},
                          {"well", "flag"},
@@ -34,7 +32,7 @@ json planForm() {
     const json room_tour = {{"name!", "text"},   {"low", "point"},
                             {"high", "point"},   {"paths!", {"count"}},
                             {"frames", "count"}, {"path_length_m", "number"}};
-    json metrics = {
+    return {
         {"uncaptured", {{{"object", "text"}, {"id", "count"}, {"reason", "text"}}}},
         {"refused_pins", {{{"point", "text"}, {"reason", "text"}}}},
         {"must_see",
@@ -56,17 +54,22 @@ json planForm() {
           {"dropped", "count"}}},
         {"ledger", {ledger_row}},
         {"rooms", {room_tour}}};
-    for (const char* name : {"objects", "captured", "well_captured", "frames", "key_frames",
-                             "straight_lines_that_hit", "surface_patches", "untrackable_frames",
-                             "wide_gaps"}) {
+}
+
+/// The part of planForm() about all metrics.
+json metricsForm() {
+    json metrics = metricListsForm();
+    for (const char* name :
+         {"objects", "captured", "well_captured", "frames", "key_frames", "straight_lines_that_hit",
+          "surface_patches", "untrackable_frames", "wide_gaps"}) {
         metrics[name] = "count";
     }
     for (const char* name :
          {"capture_rate", "well_captured_rate", "small_capture_rate", "area_share_box",
           "area_share_mask", "repeat_rate", "corner_collision_rate", "frame_collision_rate",
           "must_see_rate", "capturable_rate", "well_capturable_rate", "scanned_share",
-          "surface_seen_rate", "surface_covered_rate", "surface_coverable_rate",
-          "trackable_rate", "overlap_median_rate", "overlap_min_rate"}) {
+          "surface_seen_rate", "surface_covered_rate", "surface_coverable_rate", "trackable_rate",
+          "overlap_median_rate", "overlap_min_rate"}) {
         metrics[name] = "rate?";
     }
     for (const char* name : {"object_pixels", "min_clearance_m"}) metrics[name] = "number?";
@@ -78,6 +81,13 @@ json planForm() {
     }
     MotionMetrics motion;
     visitMotionMetrics(motion, [&](const std::string& name, double) { metrics[name] = "number"; });
+    return metrics;
+}
+
+/// The schema of a stored plan. A text is the type of a value, a rate being a number from 0 to 1;
+/// "?" permits null. All entries of a list have the same schema. Members of an object are optional
+/// unless their name ends in "!".
+json planForm() {
     const json frame = {{"position!", "point"},       {"quaternion_xyzw!", "quaternion"},
                         {"time_s!", "number"},        {"target!", "point"},
                         {"component", "integer"},     {"path", "integer"},
@@ -92,7 +102,7 @@ json planForm() {
                                  {"pin", "integer"},
                                  {"room_view", "flag"},
                                  {"surface_view", "flag"}};
-    return {{"metrics", std::move(metrics)},
+    return {{"metrics", metricsForm()},
             {"rooms", {{{"low!", "point"}, {"high!", "point"}}}},
             {"trajectory", {{"frame_interval_s!", "number"}, {"frames!", {frame}}}},
             {"observation_points",

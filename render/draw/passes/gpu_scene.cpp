@@ -294,33 +294,10 @@ void addCoarse(const SceneSorter& sorter, Detail detail, std::vector<std::uint32
     }
 }
 
-}  // namespace
-
-void setAnisotropy(const GpuScene& scene, int samples) {
-    if (!GLEW_EXT_texture_filter_anisotropic) return;
-    if (samples == 0) samples = gl::drawsByProcessor() ? 1 : kAnisotropy;
-    GLint most = 1;
-    glGetIntegerv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
-    for (const gl::Texture& texture : scene.textures) {
-        glTextureParameterf(texture.get(), GL_TEXTURE_MAX_ANISOTROPY_EXT,
-                            static_cast<float>(std::min(samples, most)));
-    }
-}
-
-Result<GpuScene> uploadScene(const Scene& scene, Detail detail) {
-    if (scene.objects.size() > 65535) {
-        return fail(ErrorCode::BadInput,
-                    "the scene has " + std::to_string(scene.objects.size()) +
-                        " objects, more than the 65535 that 16-bit labels can distinguish; merge "
-                        "some of them",
-                    scene.source.string());
-    }
-    SceneSorter sorter(scene, detail);
-    sorter.sort();
-
-    GpuScene result;
-    std::vector<std::uint32_t> indices;
-    indices.reserve(3 * scene.triangles.size() * 2);
+/// Adds the batches of triangles by surface and material, and uploads their textures.
+/// @param indices  corners of the pieces are appended to it
+void addBatches(const Scene& scene, const SceneSorter& sorter, std::vector<std::uint32_t>& indices,
+                GpuScene& result) {
     std::map<int, unsigned> names;
     const auto nameOf = [&](int texture) -> unsigned {
         if (!hasMap(scene, texture)) return 0;
@@ -349,10 +326,12 @@ Result<GpuScene> uploadScene(const Scene& scene, Detail detail) {
         result.has_maps = result.has_maps || batch.maps.has_value();
         result.batches.push_back(std::move(batch));
     }
-    findGlass(sorter.vertices, indices, result);
-    addCoarse(sorter, detail, indices, result.batches);
-    // Each object in one piece, for silhouettes: the index buffer holds its triangles a second
-    // time.
+}
+
+/// Adds each object in one piece, for silhouettes: the index buffer holds its triangles a second
+/// time.
+void addWholeObjects(const Scene& scene, const SceneSorter& sorter,
+                     std::vector<std::uint32_t>& indices, GpuScene& result) {
     result.whole_objects.resize(scene.objects.size());
     result.bounds.resize(scene.objects.size());
     std::vector<std::vector<std::uint32_t>> whole(scene.objects.size());
@@ -372,21 +351,58 @@ Result<GpuScene> uploadScene(const Scene& scene, Detail detail) {
             result.bounds[i].extend(sorter.vertices[corner].position);
         }
     }
+}
 
-    result.whole_windows = wholeWindows(scene);
-    for (const Object& object : scene.objects) result.windows.push_back(sendsDaylight(object));
-
+/// Uploads vertices and indices. OpenGL rejects empty buffers; a scene without triangles draws
+/// nothing with one element each.
+void uploadBuffers(std::vector<Vertex>& vertices, std::vector<std::uint32_t>& indices,
+                   GpuScene& result) {
     result.vertices = gl::createBuffer();
     result.indices = gl::createBuffer();
-    // OpenGL rejects empty buffers; a scene without triangles draws nothing with these.
-    if (sorter.vertices.empty()) sorter.vertices.resize(1);
+    if (vertices.empty()) vertices.resize(1);
     if (indices.empty()) indices.resize(1);
     glNamedBufferStorage(result.vertices.get(),
-                         static_cast<GLsizeiptr>(sorter.vertices.size() * sizeof(Vertex)),
-                         sorter.vertices.data(), GL_DYNAMIC_STORAGE_BIT);
+                         static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
+                         GL_DYNAMIC_STORAGE_BIT);
     glNamedBufferStorage(result.indices.get(),
                          static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
                          indices.data(), 0);
+}
+
+}  // namespace
+
+void setAnisotropy(const GpuScene& scene, int samples) {
+    if (!GLEW_EXT_texture_filter_anisotropic) return;
+    if (samples == 0) samples = gl::drawsByProcessor() ? 1 : kAnisotropy;
+    GLint most = 1;
+    glGetIntegerv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    for (const gl::Texture& texture : scene.textures) {
+        glTextureParameterf(texture.get(), GL_TEXTURE_MAX_ANISOTROPY_EXT,
+                            static_cast<float>(std::min(samples, most)));
+    }
+}
+
+Result<GpuScene> uploadScene(const Scene& scene, Detail detail) {
+    if (scene.objects.size() > 65535) {
+        return fail(ErrorCode::BadInput,
+                    "the scene has " + std::to_string(scene.objects.size()) +
+                        " objects, more than the 65535 that 16-bit labels can distinguish; merge "
+                        "some of them",
+                    scene.source.string());
+    }
+    SceneSorter sorter(scene, detail);
+    sorter.sort();
+
+    GpuScene result;
+    std::vector<std::uint32_t> indices;
+    indices.reserve(3 * scene.triangles.size() * 2);
+    addBatches(scene, sorter, indices, result);
+    findGlass(sorter.vertices, indices, result);
+    addCoarse(sorter, detail, indices, result.batches);
+    addWholeObjects(scene, sorter, indices, result);
+    result.whole_windows = wholeWindows(scene);
+    for (const Object& object : scene.objects) result.windows.push_back(sendsDaylight(object));
+    uploadBuffers(sorter.vertices, indices, result);
     result.first_vertices = std::move(sorter.first_vertices);
     describeLayout(result);
     if (Status status = gl::checkErrors("loading the scene"); !status) {

@@ -187,6 +187,19 @@ class Gather(GatherCase):
 
     # --- the card
 
+    def test_the_card_names_only_images_that_the_dataset_has(self):
+        colour = self.folder / "colour"
+        self.export(self.folder / "0.dolly", colour, "--modalities", "rgb")
+        for layout, ending in [("webdataset", ".png"), ("parquet", "")]:
+            for datasets, is_named in [([colour], self.assertNotIn),
+                                       ([self.datasets / "room_0"], self.assertIn)]:
+                with self.subTest(layout, datasets=datasets):
+                    out = self.gather("--format", layout, "--split", "none", datasets=datasets)
+                    text = (out / "README.md").read_text()
+                    reading = text.split("## Reading")[1].split("## Parts")[0]
+                    for modality in ["depth", "instance", "semantic"]:
+                        is_named(f"`{modality}{ending}`", reading)
+
     def test_the_card_says_what_it_is(self):
         out = self.gather("--format", "coco", "--split", "by-room", "60/20/20", "--license",
                           "cc-by-4.0", "--title", "Rooms: a test", "--seed", 3)

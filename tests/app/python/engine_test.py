@@ -4,6 +4,7 @@ import gc
 import importlib.util
 import inspect
 import json
+import pydoc
 import os
 import subprocess
 import sys
@@ -123,6 +124,28 @@ class EngineTest(RoomCase):
         self.assertEqual(signature.parameters["loop"].default, False)
         self.assertIn("render_mode", inspect.signature(dt.Plan.export).parameters)
         self.assertNotIn("fill", inspect.signature(dt.Plan.export).parameters)
+
+    def test_help_is_short_and_says_how_to_list_all_parameters(self):
+        for function, one in [(dt.Scene.plan, "fill"), (dt.Plan.render, "light_preset"),
+                              (dt.Plan.export, "light_preset"), (dt.judge, "camera_radius_m")]:
+            with self.subTest(function.__name__):
+                text = pydoc.render_doc(function, renderer=pydoc.plaintext)
+                self.assertLess(len(text.splitlines()), 80)
+                self.assertLess(max(map(len, text.splitlines())), 600)
+                self.assertIn(f"\n    {one}: ", text)
+                self.assertIn("dollytrack.parameters()", text)
+                self.assertIn(one, inspect.signature(function).parameters)
+
+    def test_parameters_are_found_by_a_text(self):
+        self.assertEqual(dict(dt.parameters()), dict(dt.PARAMETERS))
+        found = dt.parameters("Frame_Rate")
+        self.assertIn("frame_rate", found)
+        self.assertNotIn("fill", found)
+        for one in found.values():
+            self.assertIn(f"  {one.name}: {one.type.__name__} = {one.default!r}", repr(found))
+        self.assertEqual(dt.parameters("no such text"), {})
+        with self.assertRaises(dt.Usage):
+            dt.parameters(3)
 
     def test_numpy_numbers_are_parameters(self):
         plan = self.scene.plan(fill=np.float32(0.5), max_frames=np.int64(8), loop=np.bool_(True))

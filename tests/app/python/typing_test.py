@@ -28,8 +28,9 @@ class TypingTest(unittest.TestCase):
             done = subprocess.run(["mypy", "--strict", "--config-file", settings, "--cache-dir",
                                    cache, PACKAGE], capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout)
-            done = subprocess.run(["mypy", "--strict", "--cache-dir", cache, user], text=True,
-                                  capture_output=True, env={"MYPYPATH": str(PACKAGE.parent)})
+            done = subprocess.run(["mypy", "--strict", "--config-file", settings, "--cache-dir",
+                                   cache, user], text=True, capture_output=True,
+                                  env={"MYPYPATH": str(PACKAGE.parent)})
             self.assertEqual(done.stdout.count(" error: "), 1, done.stdout)
             self.assertIn("user.py:3", done.stdout)
 
