@@ -16,7 +16,6 @@
 namespace dollytrack::ui {
 namespace {
 
-constexpr float kLabels = 0.24F;  // share of the width for the labels
 constexpr const char* kModified = ", modified";
 
 float textWidth(const std::string& text) {
@@ -112,6 +111,22 @@ void drawChoices(const char* title, const char* kind, const std::vector<ExportCh
     }
 }
 
+float widestGroup(const std::vector<ExportChoice>& choices) {
+    float width = 0.0F;
+    for (const ExportChoice& choice : choices) {
+        width = std::max(width, ImGui::CalcTextSize(choice.group.c_str()).x);
+    }
+    return width;
+}
+
+/// Begins a form whose names have a width in px, so that none is cut in a small window.
+bool beginGroups(const char* id, float names) {
+    if (!ImGui::BeginTable(id, 2)) return false;
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, names + scaled(8));
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+    return true;
+}
+
 }  // namespace
 
 void drawContentsBar(const ExportView& view, ExportDraft& draft) {
@@ -129,13 +144,14 @@ void drawContentsBar(const ExportView& view, ExportDraft& draft) {
 }
 
 void drawModalities(const ExportView& view, ExportDraft& draft) {
-    if (!beginForm("modalities", kLabels)) return;
+    if (!beginGroups("modalities", widestGroup(view.modalities))) return;
     drawChoices("Modalities", "modality", view.modalities, draft.filter, draft.turned_modalities);
     endForm();
 }
 
 void drawFormats(const ExportView& view, ExportDraft& draft) {
-    if (!beginForm("contents", kLabels)) return;
+    const float others = ImGui::CalcTextSize("Moving objects").x;
+    if (!beginGroups("contents", std::max(widestGroup(view.formats), others))) return;
     drawChoices("Formats", "format", view.formats, draft.filter, draft.turned_formats);
     if (wantsFlow(view, draft)) {
         formLabel("Flow to frames", "Distances in frames, later and earlier, separated by commas");
