@@ -3,6 +3,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/shell/inspector.h"
 #include "app/manual/manual_files.h"
+#include "app/project/read_project.h"
 #include "app/version.h"
 #include "engine/core/log.h"
 #include "ui/widgets/cut_letters.h"
@@ -89,9 +90,7 @@ int main(int argc, char** argv) {
     std::string path;
     std::string socket;
     std::string size;
-    app.add_option("file", path,
-                   "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL; Gazebo, URDF, Habitat; point "
-                   "clouds; homes; 3D-FRONT, SceneNet RGB-D; Blender) or .dolly project")
+    app.add_option("file", path, std::string("Scene (") + kSceneFormats + ") or .dolly project")
         ->type_name("FILE");
     app.add_option("--size", size,
                    "Size of the window for a screen of 96 dots per inch, such as 1280x720")

@@ -1,5 +1,6 @@
 #include "app/editor/export/export_folders.h"
 
+#include "app/process/find_program.h"
 #include "engine/io/files/bounded_json.h"
 
 #include <fcntl.h>
@@ -11,26 +12,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <cstdlib>
 #include <cstring>
-#include <sstream>
 
 namespace dollytrack::editor {
-namespace fs = std::filesystem;
 
-fs::path findInPath(const std::string& program) {
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path != nullptr ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        std::error_code error;
-        const fs::path file = fs::path(folder) / program;
-        if (!folder.empty() && fs::is_regular_file(file, error) &&
-            access(file.c_str(), X_OK) == 0) {
-            return file;
-        }
-    }
-    return {};
-}
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -110,7 +96,7 @@ fs::path contactSheetIn(const fs::path& folder) {
 }
 
 std::string whyNoFolders() {
-    static const bool there = !findInPath("xdg-open").empty();
+    static const bool there = findProgram("xdg-open").has_value();
     return there ? "" : "Install xdg-utils to open folders from here.";
 }
 

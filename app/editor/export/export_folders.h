@@ -9,9 +9,6 @@
 
 namespace dollytrack::editor {
 
-/// Path of an executable found in PATH; empty if there is none.
-[[nodiscard]] std::filesystem::path findInPath(const std::string& program);
-
 /// A folder for another project's dataset, beside `folder` and named after the project, with a
 /// number if a job of the queue uses that folder.
 [[nodiscard]] std::filesystem::path folderBeside(const std::filesystem::path& folder,

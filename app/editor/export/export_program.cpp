@@ -1,6 +1,6 @@
 #include "app/editor/export/export_program.h"
 
-#include "app/editor/export/export_folders.h"
+#include "app/process/find_program.h"
 #include "engine/core/program_file.h"
 
 #include <unistd.h>
@@ -25,7 +25,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 Result<fs::path> findExportProgram() {
     if (fs::path beside = ownFile().parent_path() / "dollytrack"; isProgram(beside)) return beside;
-    if (const fs::path found = findInPath("dollytrack"); !found.empty()) return found;
+    if (const auto found = findProgram("dollytrack")) return *found;
     return fail(ErrorCode::Failed,
                 "The program 'dollytrack', which exports datasets, is neither beside the editor "
                 "nor in PATH; build or install it.");

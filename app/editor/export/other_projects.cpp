@@ -2,20 +2,15 @@
 
 #include "app/project/read_project.h"
 
-#include <exception>
 #include <utility>
 
 namespace dollytrack::editor {
 namespace {
 
 Result<RenderMode> renderModeOf(const std::filesystem::path& project) {
-    try {
-        Result<ProjectContent> content = readProject(project);
-        if (!content) return tl::unexpected(std::move(content.error()));
-        return content->params.picture.render_mode;
-    } catch (const std::exception& error) {
-        return fail(ErrorCode::Failed, error.what(), project.filename().string());
-    }
+    Result<ProjectContent> content = readProject(project);
+    if (!content) return tl::unexpected(std::move(content.error()));
+    return content->params.picture.render_mode;
 }
 
 }  // namespace
@@ -26,23 +21,21 @@ void OtherProjects::read(const std::filesystem::path& project) {
 }
 
 void OtherProjects::readNext() {
-    worker_.start(
-        [question = ++question_, file = waiting_.front(), latest = answers_](const JobContext&) {
-            latest->put({question, {file, renderModeOf(file)}});
-        });
+    reader_.start(waiting_.front(), renderModeOf);
 }
 
 void OtherProjects::cancel() {
     waiting_.clear();
-    ++question_;
+    reader_.cancel();
 }
 
 std::optional<OtherProject> OtherProjects::take() {
-    std::optional<Answer> answer = answers_->take();
-    if (!answer || answer->question != question_) return std::nullopt;
+    std::optional<Result<RenderMode>> mode = reader_.take();
+    if (!mode) return std::nullopt;
+    OtherProject project{waiting_.front(), std::move(*mode)};
     waiting_.pop_front();
     if (!waiting_.empty()) readNext();
-    return std::move(answer->project);
+    return project;
 }
 
 }  // namespace dollytrack::editor

@@ -1,15 +1,14 @@
 #pragma once
 
+#include "app/project/project_reader.h"
 #include "engine/camera/picture_params.h"
 #include "engine/core/result.h"
-#include "engine/jobs/background_worker.h"
 
-#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
+#include <utility>
 
 namespace dollytrack::editor {
 
@@ -20,10 +19,10 @@ struct OtherProject {
 };
 
 /// Reads projects that shall be exported besides the open one, one after the other in the
-/// background: their files contain whole plans, and network disks are slow. Main thread only.
+/// background. Main thread only.
 class OtherProjects {
   public:
-    explicit OtherProjects(std::function<void()> wake) : worker_(std::move(wake)) {}
+    explicit OtherProjects(std::function<void()> wake) : reader_(std::move(wake)) {}
 
     void read(const std::filesystem::path& project);
     /// Forgets all projects that have not been read yet.
@@ -31,22 +30,13 @@ class OtherProjects {
     /// The next project that has been read. To be called every frame.
     [[nodiscard]] std::optional<OtherProject> take();
     /// The file that is being read; empty: none.
-    [[nodiscard]] std::filesystem::path reading() const {
-        return waiting_.empty() ? std::filesystem::path() : waiting_.front();
-    }
+    [[nodiscard]] const std::filesystem::path& reading() const { return reader_.reading(); }
 
   private:
     void readNext();
 
-    struct Answer {
-        std::uint64_t question = 0;
-        OtherProject project;
-    };
-
     std::deque<std::filesystem::path> waiting_;  // the first is being read
-    std::uint64_t question_ = 0;
-    std::shared_ptr<LatestValue<Answer>> answers_ = std::make_shared<LatestValue<Answer>>();
-    BackgroundWorker worker_;
+    ProjectReader<RenderMode> reader_;
 };
 
 }  // namespace dollytrack::editor

@@ -5,7 +5,6 @@
 #include "engine/plan/plan_json.h"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 namespace dollytrack::editor {
@@ -65,33 +64,21 @@ Result<KeptPlan> readPlan(const std::filesystem::path& path, const WantedScene& 
 
 }  // namespace
 
-void PlanComparison::forgetQuestion() {
-    ++question_;
-    reading_.clear();
-}
-
 void PlanComparison::keep(const Workspace& workspace, const FrameQuality* quality) {
-    forgetQuestion();
+    reader_.cancel();
     kept_ = currentPlan(workspace, quality);
     forgetSwaps();
     metrics_of_.reset();
 }
 
 void PlanComparison::read(const std::filesystem::path& project, const Workspace& workspace) {
-    reading_ = project;
-    worker_.start([question = ++question_, project, latest = answers_,
-                   wanted = WantedScene{workspace.importedScene().source_sha256,
-                                        workspace.importSettings()}](const JobContext&) {
-        try {
-            latest->put({question, readPlan(project, wanted)});
-        } catch (const std::exception& error) {
-            latest->put({question, fail(ErrorCode::Failed, error.what())});
-        }
-    });
+    const WantedScene wanted{workspace.importedScene().source_sha256, workspace.importSettings()};
+    reader_.start(project,
+                  [wanted](const std::filesystem::path& path) { return readPlan(path, wanted); });
 }
 
 void PlanComparison::swap(Workspace& workspace, const FrameQuality* quality) {
-    forgetQuestion();
+    reader_.cancel();
     KeptPlan current = currentPlan(workspace, quality);
     if (swapped_ && *swapped_->state == *current.state) current.name = swapped_->name;
     workspace.setState(*kept_->state, "Swap with " + kept_->name);
@@ -119,7 +106,7 @@ void PlanComparison::forgetSwaps() {
 }
 
 void PlanComparison::drop() {
-    forgetQuestion();
+    reader_.cancel();
     kept_.reset();
     forgetSwaps();
     metrics_.clear();
@@ -127,11 +114,10 @@ void PlanComparison::drop() {
 }
 
 std::optional<Error> PlanComparison::poll() {
-    std::optional<Answer> answer = answers_->take();
-    if (!answer || answer->question != question_) return std::nullopt;
-    reading_.clear();
-    if (!answer->plan) return answer->plan.error();
-    kept_ = std::move(*answer->plan);
+    std::optional<Result<KeptPlan>> plan = reader_.take();
+    if (!plan) return std::nullopt;
+    if (!*plan) return plan->error();
+    kept_ = std::move(**plan);
     forgetSwaps();
     metrics_of_.reset();
     return std::nullopt;

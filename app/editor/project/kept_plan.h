@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/editor/project/workspace.h"
-#include "engine/jobs/background_worker.h"
+#include "app/project/project_reader.h"
 #include "engine/plan/frame_quality.h"
 #include "planning/analysis/plan_comparison.h"
 
@@ -27,7 +27,7 @@ struct KeptPlan {
 /// of another project of the same scene.
 class PlanComparison {
   public:
-    explicit PlanComparison(std::function<void()> wake) : worker_(std::move(wake)) {}
+    explicit PlanComparison(std::function<void()> wake) : reader_(std::move(wake)) {}
 
     /// Keeps the current plan; `quality` may be null. Requires Workspace::planIsCurrent().
     void keep(const Workspace& workspace, const FrameQuality* quality);
@@ -45,20 +45,14 @@ class PlanComparison {
 
     [[nodiscard]] const KeptPlan* kept() const { return kept_ ? &*kept_ : nullptr; }
     /// The project that read() is reading; empty: none.
-    [[nodiscard]] const std::filesystem::path& reading() const { return reading_; }
-    void cancelReading() { forgetQuestion(); }
+    [[nodiscard]] const std::filesystem::path& reading() const { return reader_.reading(); }
+    void cancelReading() { reader_.cancel(); }
     /// The metrics of both plans; empty while the shown plan is not measured.
     [[nodiscard]] const std::vector<planning::ComparedMetric>& metrics(
         const PlanOutcome& shown, const std::shared_ptr<const FrameQuality>& quality);
 
   private:
     void forgetSwaps();
-    void forgetQuestion();
-
-    struct Answer {
-        std::uint64_t question = 0;
-        Result<KeptPlan> plan;
-    };
 
     std::optional<KeptPlan> kept_;
     std::optional<KeptPlan> swapped_;         // the plan that was B before the last swap
@@ -67,10 +61,7 @@ class PlanComparison {
     std::vector<planning::ComparedMetric> metrics_;
     std::shared_ptr<const Plan> metrics_of_;  // null: to be computed
     std::shared_ptr<const FrameQuality> metrics_quality_;
-    std::uint64_t question_ = 0;
-    std::filesystem::path reading_;  // of that question; empty: it is answered
-    std::shared_ptr<LatestValue<Answer>> answers_ = std::make_shared<LatestValue<Answer>>();
-    BackgroundWorker worker_;
+    ProjectReader<KeptPlan> reader_;
 };
 
 }  // namespace dollytrack::editor

@@ -220,6 +220,10 @@ struct LayerBuilder::WorkerState {
 
     void addSurface(Layers& layers, const LayersRequest& request);
     void addQuality(Layers& layers, const LayersRequest& request);
+    void addRoom(Layers& layers, const LayersRequest& request);
+    void addTrajectories(Layers& layers, const LayersRequest& request);
+    void addPoints(Layers& layers, const LayersRequest& request);
+    void addKeys(Layers& layers, const LayersRequest& request);
     Layers build(const LayersRequest& request);
 
     std::string surface_of;  // the scene of the last surface layer, by its hash
@@ -255,10 +259,8 @@ void LayerBuilder::WorkerState::addQuality(Layers& layers, const LayersRequest& 
         [&] { return ui::qualityLayer(plan, *request.quality, request.pictures, options); });
 }
 
-Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
-    Layers layers;
-    layers.plan = request.plan;
-    if (!request.scene) return layers;
+/// The floor's grid, free space, no-go boxes and regions.
+void LayerBuilder::WorkerState::addRoom(Layers& layers, const LayersRequest& request) {
     const ui::LayerSettings& on = request.settings;
     if (on.grid) {
         add(layers, 9, std::tuple(request.scene, request.plan), [&] {
@@ -281,54 +283,82 @@ Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
         add(layers, 8, std::tuple(request.regions, request.selection),
             [&] { return regionsLayer(request.regions, request.selection); });
     }
+}
+
+/// The plan's steps or roadmap, its trajectory and the kept plan's.
+void LayerBuilder::WorkerState::addTrajectories(Layers& layers, const LayersRequest& request) {
+    const ui::LayerSettings& on = request.settings;
+    const Plan& plan = *request.plan;
+    if (request.stepping) {
+        add(layers, 2, std::tuple(request.plan, request.step),
+            [&] { return ui::stepsLayer(plan, request.step); });
+        return;
+    }
+    if (on.roadmap) {
+        const ui::RoadmapOverlayOptions options = roadmapOptions(request);
+        add(layers, 3, std::tuple(request.plan, options),
+            [&] { return ui::roadmapLayer(plan, options); });
+    }
+    if (on.trajectory) {
+        add(layers, 4, std::tuple(request.plan, on.trajectory_options),
+            [&] { return ui::trajectoryLayer(plan, on.trajectory_options); });
+    }
+    if (request.kept_plan && on.kept_plan) {
+        add(layers, 13, std::tuple(request.kept_plan, request.kept_name),
+            [&] { return ui::keptPlanLayer(*request.kept_plan, request.kept_name); });
+    }
+    if (on.surface) addSurface(layers, request);
+    if (on.quality && request.quality) addQuality(layers, request);
+}
+
+/// The plan's candidates and points, and the current camera.
+void LayerBuilder::WorkerState::addPoints(Layers& layers, const LayersRequest& request) {
+    const ui::LayerSettings& on = request.settings;
+    const Plan& plan = *request.plan;
+    const ui::CandidatesOverlayOptions candidates = candidatesOptions(request);
+    if (on.candidates && candidates.observation_point >= 0) {
+        layers.candidates_of = candidates.observation_point;
+        add(layers, 5, std::tuple(request.plan, candidates),
+            [&] { return ui::candidatesLayer(plan, candidates); });
+    }
+    if (on.points) {
+        const ui::PointsOverlayOptions options = pointsOptions(request);
+        add(layers, 6, std::tuple(request.scene, request.plan, request.camera, options),
+            [&] { return ui::pointsLayer(*request.scene, plan, request.camera, options); });
+    }
+    if (request.frame >= 0) {
+        layers.layers.push_back(std::make_shared<const PlanLayer>(cameraLayer(request)));
+    }
+}
+
+/// The key frames of a given motion.
+void LayerBuilder::WorkerState::addKeys(Layers& layers, const LayersRequest& request) {
+    if (!request.settings.trajectory || request.stepping || !request.motion ||
+        request.motion->keys.empty()) {
+        return;
+    }
+    const int selected =
+        request.selection.kind == Selection::Kind::CameraKey ? request.selection.index : -1;
+    add(layers, 11,
+        std::tuple(request.motion, request.plan, request.keys_planned, request.camera, selected),
+        [&] {
+            return ui::cameraKeysLayer(
+                request.motion->keys,
+                request.keys_planned ? request.plan->passed_keys : std::vector<PassedKey>(),
+                request.camera, selected);
+        });
+}
+
+Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
+    Layers layers;
+    layers.plan = request.plan;
+    if (!request.scene) return layers;
+    addRoom(layers, request);
     if (request.plan) {
-        const Plan& plan = *request.plan;
-        if (request.stepping) {
-            add(layers, 2, std::tuple(request.plan, request.step),
-                [&] { return ui::stepsLayer(plan, request.step); });
-        } else if (on.roadmap) {
-            const ui::RoadmapOverlayOptions options = roadmapOptions(request);
-            add(layers, 3, std::tuple(request.plan, options),
-                [&] { return ui::roadmapLayer(plan, options); });
-        }
-        if (on.trajectory && !request.stepping) {
-            add(layers, 4, std::tuple(request.plan, on.trajectory_options),
-                [&] { return ui::trajectoryLayer(plan, on.trajectory_options); });
-        }
-        if (request.kept_plan && on.kept_plan && !request.stepping) {
-            add(layers, 13, std::tuple(request.kept_plan, request.kept_name),
-                [&] { return ui::keptPlanLayer(*request.kept_plan, request.kept_name); });
-        }
-        if (on.surface && !request.stepping) addSurface(layers, request);
-        if (on.quality && request.quality && !request.stepping) addQuality(layers, request);
-        const ui::CandidatesOverlayOptions candidates = candidatesOptions(request);
-        if (on.candidates && candidates.observation_point >= 0) {
-            layers.candidates_of = candidates.observation_point;
-            add(layers, 5, std::tuple(request.plan, candidates),
-                [&] { return ui::candidatesLayer(plan, candidates); });
-        }
-        if (on.points) {
-            const ui::PointsOverlayOptions options = pointsOptions(request);
-            add(layers, 6, std::tuple(request.scene, request.plan, request.camera, options),
-                [&] { return ui::pointsLayer(*request.scene, plan, request.camera, options); });
-        }
-        if (request.frame >= 0) {
-            layers.layers.push_back(std::make_shared<const PlanLayer>(cameraLayer(request)));
-        }
+        addTrajectories(layers, request);
+        addPoints(layers, request);
     }
-    if (on.trajectory && !request.stepping && request.motion && !request.motion->keys.empty()) {
-        const int selected =
-            request.selection.kind == Selection::Kind::CameraKey ? request.selection.index : -1;
-        add(layers, 11,
-            std::tuple(request.motion, request.plan, request.keys_planned, request.camera,
-                       selected),
-            [&] {
-                return ui::cameraKeysLayer(
-                    request.motion->keys,
-                    request.keys_planned ? request.plan->passed_keys : std::vector<PassedKey>(),
-                    request.camera, selected);
-            });
-    }
+    addKeys(layers, request);
     add(layers, 7, std::tuple(request.scene, request.free_space, request.selection, request.moved),
         [&] { return selectionLayer(request); });
     return layers;
