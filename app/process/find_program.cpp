@@ -18,7 +18,8 @@ std::optional<fs::path> findProgram(const std::string& name) {
         std::error_code error;
         if (fs::path(folder).is_absolute() && ::access(program.c_str(), X_OK) == 0 &&
             fs::is_regular_file(program, error)) {
-            return fs::canonical(program, error);
+            fs::path real = fs::canonical(program, error);
+            if (!error) return real;
         }
     }
     return std::nullopt;

@@ -76,8 +76,8 @@ SortedItems sortItems(const std::vector<Object>& objects) {
     };
     std::stable_sort(items.begin(), items.end(),
                      [&](const Item& a, const Item& b) { return planSize(a) > planSize(b); });
-    // The horizontal extent of the largest group without the first items; 0 if it is a ground
-    // alone.
+    // The horizontal extent of the largest group without the k + 1 widest items; 0 if that group is
+    // flat, such as a ground plane.
     const auto restAfter = [&](std::size_t k) {
         constexpr double kLowest_m = 0.5;
         const Eigen::Vector3d rest = groupsOf(items, k + 1).front().bounds.sizes();

@@ -59,8 +59,8 @@ const std::array<MoveKind, 5>& kinds() {
 constexpr double kFill = 0.5;         // share of the image's width or height that an object takes
 constexpr double kDollyStart = 0.25;  // the same where a dolly starts
 constexpr double kWalkHeight = 1.5;   // above the floor, m
-constexpr double kPositionsFound = 0.2;  // progress
-constexpr double kLookAhead = 0.6;  // of a walk: the camera looks at a point this far along it, m
+constexpr double kLookAhead = 0.6;    // of a walk: the camera looks at a point this far along it, m
+constexpr double kPositionsFound = 0.2;  // progress when the positions of a move are known
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 Result<std::optional<double>> numberOf(const MoveRequest& request, const std::string& name) {

@@ -67,6 +67,7 @@ std::vector<FreeRun> nearestRun(const BaselineScene& scene, std::span<const Traj
             }
         }
     });
+    if (job.cancelled()) return {};
     const auto best = std::min_element(squared.begin(), squared.end());
     if (best == squared.end() || *best >= kNearest * kNearest) return {};
     return {nearest[static_cast<std::size_t>(best - squared.begin())]};

@@ -37,10 +37,10 @@ struct FreeRun {
     [[nodiscard]] std::size_t size() const { return last - first + 1; }
 };
 
-/// The runs of one path that a repair keeps, in their order; empty if cancelled: those in the
-/// component of free space where most of the free frames are, and those of another component that
-/// holds at least a tenth of the path. If no frame is free, the frame nearest to free space, moved
-/// there; empty if that is farther than a metre.
+/// The runs of one path that a repair keeps, in their order: those in the component of free space
+/// where most of the free frames are, and those of another component that holds at least a tenth of
+/// the path. If no frame is free, the frame nearest to free space, moved there; empty if that is
+/// farther than a metre. Empty if cancelled.
 std::vector<FreeRun> findRunsToKeep(const BaselineScene& scene, const MotionCheck& check,
                                     std::span<const TrajectoryFrame> frames, const FreeParts& parts,
                                     const JobContext& job);

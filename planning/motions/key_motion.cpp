@@ -333,7 +333,8 @@ Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams
     if (!repaired) return tl::unexpected(repaired.error());
     const KeyNotes notes(scene, keys, *repaired, of_path.frame_interval_s);
     KeyMotion made{repaired->trajectory, notes.passed(frames.frames(), job)};
-    if (job.cancelled()) return fail(ErrorCode::Cancelled, "The key frames were cancelled.");
+    if (job.cancelled())
+        return fail(ErrorCode::Cancelled, "Planning through the key frames was cancelled.");
     return made;
 }
 

@@ -16,20 +16,24 @@ namespace {
 /// their findings fit into memory.
 constexpr std::size_t kFramesAtOnce = 32;
 
-std::string whySkipped(const Check& check, const Subject& subject, const std::string& no_scene) {
+/// The result of a check that has not run: whether it is skipped, and why.
+CheckResult begun(const Check& check, const Subject& subject, const std::string& no_scene) {
     for (const char* const name : check.needs) {
-        if (!subject.dataset.has(name)) return std::string("the dataset has no ") + name;
+        if (subject.dataset.has(name)) continue;
+        return {&check, Skip::NoFiles, std::string("the dataset has no ") + name, {}};
     }
     const auto has = [&](const char* name) { return subject.dataset.has(name); };
     if (!check.one_of.empty() && std::none_of(check.one_of.begin(), check.one_of.end(), has)) {
-        std::string names;
-        for (const char* const name : check.one_of)
-            names += (names.empty() ? "" : ", ") + std::string(name);
-        return "the dataset has none of " + names;
+        return {&check,
+                Skip::NoFiles,
+                fmt::format("the dataset has none of {}", fmt::join(check.one_of, ", ")),
+                {}};
     }
-    if (const char* missing = check.missing ? check.missing() : nullptr) return missing;
-    if (check.needs_scene && !subject.rays) return no_scene;
-    return {};
+    if (const char* missing = check.missing ? check.missing() : nullptr) {
+        return {&check, Skip::NoLibrary, missing, {}};
+    }
+    if (check.needs_scene && !subject.rays) return {&check, Skip::NoScene, no_scene, {}};
+    return {&check, Skip::None, {}, {}};
 }
 
 /// A damaged dataset may make a check throw; this becomes a finding, and other checks continue.
@@ -79,9 +83,9 @@ Result<std::vector<CheckResult>> verifyDataset(const Subject& subject, const std
     std::vector<CheckResult> results;
     std::vector<CheckWork> works;
     for (const Check& check : checks()) {
-        CheckResult result{&check, whySkipped(check, subject, no_scene), {}};
+        CheckResult result = begun(check, subject, no_scene);
         works.emplace_back();
-        if (result.skipped.empty()) {
+        if (result.skip == Skip::None) {
             guarded(result.findings, {},
                     [&] { works.back() = check.begin(subject, result.findings); });
         }

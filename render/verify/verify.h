@@ -9,13 +9,18 @@
 
 namespace dollytrack::verify {
 
+/// Why a check did not run: the dataset lacks its files, the scene is missing, or a library is not
+/// installed. None: it ran.
+enum class Skip { None, NoFiles, NoScene, NoLibrary };
+
 /// Result of one check.
 struct CheckResult {
     const Check* check = nullptr;
-    std::string skipped;  // reason why the check could not run; empty if it ran
+    Skip skip = Skip::None;
+    std::string skip_reason;  // empty if it ran
     Findings findings;
 
-    [[nodiscard]] bool passed() const { return skipped.empty() && findings.count == 0; }
+    [[nodiscard]] bool passed() const { return skip == Skip::None && findings.count == 0; }
     [[nodiscard]] bool failed() const { return findings.count > 0; }
 };
 

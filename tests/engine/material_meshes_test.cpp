@@ -79,6 +79,22 @@ void addFiveBoxes(ObjWriter& obj) {
 
 }  // namespace
 
+TEST(MaterialMeshes, MeshesStayAsTheyAreIfAsked) {
+    ObjWriter obj;
+    obj.object("Cube").room({5, 4, 2.6}, false);
+    // Three boxes on each other, whose names a modelling program generated, and two distant ones.
+    obj.object("Cube.001").box({1, 1, 0}, {1.3, 1.3, 0.3});
+    obj.object("Cube.002").box({1, 1, 0.3}, {1.3, 1.3, 0.6});
+    obj.object("Cube.003").box({1, 1, 0.6}, {1.3, 1.3, 0.9});
+    obj.object("Cube.004").box({3, 3, 0}, {3.4, 3.4, 0.4}).box({0.5, 3, 0}, {0.9, 3.4, 0.4});
+    EXPECT_LT(test::countTargets(importedWith(obj.text(), true)), 4);
+    const Scene scene = importedWith(obj.text(), false);
+    ASSERT_EQ(scene.objects.size(), 5U);
+    for (const char* name : {"Cube.001", "Cube.002", "Cube.003", "Cube.004"}) {
+        EXPECT_NE(test::find(scene, name), nullptr) << name;
+    }
+}
+
 TEST(MaterialMeshes, AreRegroupedToTheObjectsTheyHoldPartsOf) {
     const Scene scene = importedWith(classroom(), true);
     EXPECT_EQ(test::countTargets(scene), 20);

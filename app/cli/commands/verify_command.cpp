@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using verify::CheckResult;
 using verify::Finding;
+using verify::Skip;
 
 struct VerifyArguments {
     std::string folder;
@@ -31,26 +32,13 @@ struct Verified {
     std::size_t frames = 0;
     std::size_t files = 0;
     std::vector<CheckResult> results;
-    std::string no_scene;  // why the scene was not found; checks that need it are skipped
     render::PictureTally pictures;
 
-    enum class Skip { None, NoFiles, NoScene, NoLibrary };
-
-    /// Why a check was skipped: the dataset lacks its files, the scene was not found, or a library
-    /// is not installed.
-    [[nodiscard]] Skip skipOf(const CheckResult& result) const {
-        if (result.skipped.empty()) return Skip::None;
-        if (!no_scene.empty() && result.skipped == no_scene) return Skip::NoScene;
-        const char* library = result.check->missing ? result.check->missing() : nullptr;
-        return library != nullptr && result.skipped == library ? Skip::NoLibrary : Skip::NoFiles;
-    }
     [[nodiscard]] std::ptrdiff_t count(Skip skip) const {
         return std::count_if(results.begin(), results.end(),
-                             [&](const CheckResult& result) { return skipOf(result) == skip; });
+                             [&](const CheckResult& result) { return result.skip == skip; });
     }
 };
-
-using Skip = Verified::Skip;
 
 /// The unusable images that dataset.json lists, which the check "usable" verifies. They do not
 /// count as damage.
@@ -72,7 +60,7 @@ std::string verdictOf(const Verified& verified) {
 }
 
 /// The reasons for skipped checks: " (3 concern files that were not exported; 2 need the scene:
-/// name it with --scene)".
+/// pass it with --scene)".
 std::string whySkipped(const Verified& verified) {
     const std::ptrdiff_t absent = verified.count(Skip::NoFiles);
     const std::ptrdiff_t unproven = verified.count(Skip::NoScene);
@@ -112,7 +100,7 @@ nlohmann::json toJson(const Verified& verified) {
         nlohmann::json one = {{"check", result.check->name},
                               {"text", result.check->text},
                               {"status", statusOf(result)}};
-        if (!result.skipped.empty()) one["reason"] = result.skipped;
+        if (result.skip != Skip::None) one["reason"] = result.skip_reason;
         if (result.failed()) {
             one["count"] = result.findings.count;
             for (const Finding& finding : result.findings.first) {
@@ -145,7 +133,7 @@ std::string textOf(const Finding& finding) {
 void print(const CheckResult& result, int show, std::size_t width) {
     fmt::print("  {:<20} {:<8} {}\n", result.check->name,
                result.failed() ? "FAILED" : statusOf(result),
-               result.skipped.empty() ? result.check->text : result.skipped.c_str());
+               result.skip == Skip::None ? result.check->text : result.skip_reason.c_str());
     const auto& first = result.findings.first;
     const std::size_t shown = std::min(first.size(), static_cast<std::size_t>(show));
     for (std::size_t i = 0; i < shown; ++i) {
@@ -162,7 +150,7 @@ void print(const Verified& verified, int show) {
     const std::size_t width = terminalWidth();
     std::vector<const char*> without_files;
     for (const CheckResult& result : verified.results) {
-        if (verified.skipOf(result) == Skip::NoFiles) {
+        if (result.skip == Skip::NoFiles) {
             without_files.push_back(result.check->name);
         } else {
             print(result, show, width);
@@ -193,8 +181,8 @@ Result<Verified> verifyOne(const fs::path& folder, const VerifyArguments& argume
     auto results = verify::verifyDataset({*dataset, scene->scene.get(), scene->rays.get()},
                                          scene->missing, job.stage(0.1, 1.0, "frames"));
     if (!results) return tl::unexpected(std::move(results.error()));
-    return Verified{folder.string(),     dataset->frames.size(), dataset->sha256s.size() + 1,
-                    std::move(*results), scene->missing,         picturesOf(*dataset)};
+    return Verified{folder.string(), dataset->frames.size(), dataset->sha256s.size() + 1,
+                    std::move(*results), picturesOf(*dataset)};
 }
 
 /// The datasets to verify, and those that are missing.

@@ -24,7 +24,7 @@ struct SourceFile {
 /// Error also if it has more than `most` bytes.
 [[nodiscard]] Result<std::string> readProven(const SourceFile& file,
                                              std::uint64_t most = kMostTextBytes);
-/// The same into a text whose memory is used again, which saves time with many large files.
+/// The same, into `into`, whose memory is reused; that saves time with many large files.
 [[nodiscard]] Status readProven(const SourceFile& file, std::string& into,
                                 std::uint64_t most = kMostTextBytes);
 

@@ -113,7 +113,8 @@ class _ShortSignature(inspect.Signature):
 
     def format(self, **options: Any) -> str:
         """As help() of Python 3.13 shows it."""
-        return self._short().format(**options)  # type: ignore[attr-defined, no-any-return]
+        text: str = getattr(self._short(), "format")(**options)
+        return text
 
 
 def takes_parameters(often_used: Iterable[str], sections: Optional[Iterable[str]] = None

@@ -83,6 +83,14 @@ std::string textOf(const pugi::xml_node& node) {
     return std::string(text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1));
 }
 
+std::string nameOfInclude(const pugi::xml_node& include) {
+    std::string name = cleanText(textOf(include.child("name")));
+    if (!name.empty()) return name;
+    std::string uri = cleanText(textOf(include.child("uri")));
+    while (uri.ends_with('/')) uri.pop_back();
+    return uri.substr(uri.rfind('/') + 1);
+}
+
 std::optional<std::vector<double>> numbersOf(std::string_view text) {
     constexpr std::string_view kBlanks = " \t\r\n,";
     std::vector<double> numbers;

@@ -54,6 +54,10 @@ struct XmlFile {
 /// Rotation about the fixed axes x, y and z, in this order. Radians.
 [[nodiscard]] Eigen::Quaterniond rotationFromRollPitchYaw(const Eigen::Vector3d& roll_pitch_yaw);
 
+/// The name that an <include> gives its model, otherwise the last part of the model's address;
+/// clean text.
+[[nodiscard]] std::string nameOfInclude(const pugi::xml_node& include);
+
 /// Whether a link's name is generic: "link", "link_3", "base_link", "body".
 [[nodiscard]] bool isPlainLinkName(std::string_view name);
 

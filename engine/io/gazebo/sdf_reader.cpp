@@ -94,9 +94,7 @@ class SdfReader {
         return objects;
     }
 
-    [[nodiscard]] OmittedParts leftOut() const {
-        return {missing_, missing_includes_, unread_scripts_, unknown_shapes_, doubts_};
-    }
+    [[nodiscard]] const OmittedParts& leftOut() const { return left_out_; }
 
   private:
     static std::string nameOf(const pugi::xml_node& node) {
@@ -189,10 +187,8 @@ class SdfReader {
         const std::optional<fs::path>& file = found->second;
         const std::string_view standard = file ? std::string_view() : standardModel(uri);
         if (!file && standard.empty()) {
-            const std::string name = cleanText(textOf(frame.node.child("name")));
-            missing_.push_back(cleanText(uri));
-            missing_includes_.push_back(name.empty() ? fs::path(missing_.back()).filename().string()
-                                                     : name);
+            left_out_.models.push_back(cleanText(uri));
+            left_out_.includes.push_back(nameOfInclude(frame.node));
             return {};
         }
         const fs::path path = file.value_or(fs::path(uri));
@@ -259,7 +255,7 @@ class SdfReader {
             if (!is_model) continue;
             const auto scale = vectorOf(entry.child_value("scale"));
             if (scale && *scale != Eigen::Vector3d::Ones()) {
-                doubts_.push_back(fmt::format(
+                left_out_.doubts.push_back(fmt::format(
                     "{}: the saved scale of the model '{}' is ignored; scale its visuals instead",
                     scene_.xml->placeOf(scene_.path.filename(), entry), cleanText(name)));
             }
@@ -326,7 +322,7 @@ class SdfReader {
         for (const char* end : {"parent", "child"}) {
             const std::string name = textOf(joint.node.child(end));
             if (name == "world" || !locate(scope, name).empty()) continue;
-            doubts_.push_back(fmt::format(
+            left_out_.doubts.push_back(fmt::format(
                 "{}: the joint '{}' names the {} link '{}', which does not exist; the joint is "
                 "left out",
                 scope.xml->placeOf(scope.path.filename(), joint.node), nameOf(joint.node), end,
@@ -416,7 +412,7 @@ class SdfReader {
         visual.opacity = visualOpacity(node);
         if (!(visual.opacity > 0.0F)) return {};
         if (std::string script = unreadScript(node); !script.empty()) {
-            unread_scripts_.push_back(cleanText(script));
+            left_out_.scripts.push_back(cleanText(script));
         }
         const pugi::xml_node geometry = node.child("geometry");
         if (const pugi::xml_node mesh = geometry.child("mesh")) {
@@ -446,7 +442,7 @@ class SdfReader {
                                                    Eigen::Vector3d::UnitZ(), normal->normalized());
             }
         } else {
-            noteUnknownShape(geometry, unknown_shapes_);
+            noteUnknownShape(geometry, left_out_.shapes);
             return {};
         }
         if (visual.shape != Visual::Shape::Mesh && !(visual.size.minCoeff() > 0.0)) {
@@ -464,12 +460,8 @@ class SdfReader {
     std::vector<LinkObject> links_;
     std::vector<const Scope*> scope_of_link_;
     std::vector<Eigen::Affine3d> saved_from_loaded_;  // of each link, in the scene
-    std::vector<std::size_t> first_;    // disjoint sets of joined links: parent of each link
-    std::vector<std::string> missing_;  // models
-    std::vector<std::string> missing_includes_;  // by name
-    std::vector<std::string> unread_scripts_;
-    UnknownShapes unknown_shapes_;
-    std::vector<std::string> doubts_;
+    std::vector<std::size_t> first_;  // disjoint sets of joined links: parent of each link
+    OmittedParts left_out_;
     std::map<fs::path, std::unique_ptr<XmlFile>> documents_;
     /// Files of included models by the including file's folder and the <uri>.
     std::map<std::pair<fs::path, std::string>, std::optional<fs::path>> found_models_;

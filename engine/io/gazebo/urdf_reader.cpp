@@ -332,8 +332,10 @@ Result<RawScene> readUrdfModel(const fs::path& path, const ReachableFiles& files
     UrdfReader reader(path, *xml, job);
     const Result<std::vector<LinkObject>> links = reader.read(robot);
     if (!links) return tl::unexpected(links.error());
-    return sceneOfLinks(*links, ModelPath(files),
-                        {{}, {}, {}, reader.unknownShapes(), reader.doubts()}, path.string(), job);
+    OmittedParts left_out;
+    left_out.shapes = reader.unknownShapes();
+    left_out.doubts = reader.doubts();
+    return sceneOfLinks(*links, ModelPath(files), left_out, path.string(), job);
 }
 
 Result<RawScene> readUrdf(const fs::path& path, const ImportOptions& options,

@@ -66,10 +66,7 @@ class SceneOfLinks {
     }
 
     Result<RawScene> build(const std::vector<LinkObject>& links, const OmittedParts& left_out) {
-        missing_ = left_out.models;
-        missing_includes_ = left_out.includes;
-        unread_scripts_ = left_out.scripts;
-        unknown_shapes_ = left_out.shapes;
+        left_out_ = left_out;
         addDoubts(left_out.doubts);
         std::map<std::pair<fs::path, std::string>, std::optional<std::size_t>> found;
         std::map<const Visual*, std::size_t> wanted;
@@ -117,7 +114,7 @@ class SceneOfLinks {
         incomplete_.push_back(link.empty() ? "link" : link);
         switch (files_.absenceOf(visual.folder, visual.uri)) {
             case ModelPath::Absence::NoFolder:
-                missing_.push_back(visual.uri);
+                left_out_.models.push_back(visual.uri);
                 break;
             case ModelPath::Absence::NoFile:
                 absent_.push_back(visual.uri);
@@ -227,6 +224,7 @@ class SceneOfLinks {
     /// its objects are then found by the names of its meshes, as in the mesh file alone.
     void splitBuilding() {
         constexpr float kRoom_m = 4.0F;
+        constexpr float kRoomHeight_m = 1.0F;
         const auto hasMeshes = [&](const SourceObject& object) {
             return std::ranges::any_of(
                 object.parts, [&](std::size_t part) { return name_in_mesh_.contains(part); });
@@ -240,7 +238,7 @@ class SceneOfLinks {
             const auto name = name_in_mesh_.find(part);
             if (name != name_in_mesh_.end()) nodes[name->second] = 0;
         }
-        if (box.sizes().head<2>().minCoeff() < kRoom_m || nodes.empty()) return;
+        if (box.sizes().head<2>().minCoeff() < kRoom_m || box.sizes().z() < kRoomHeight_m) return;
         for (auto& [name, node] : nodes) {
             node = static_cast<int>(scene_.nodes.size());
             scene_.nodes.push_back({name, 0, 0});
@@ -273,7 +271,7 @@ class SceneOfLinks {
         };
         std::vector<std::string> fuel;
         std::vector<std::string> web;
-        std::erase_if(missing_, [&](const std::string& uri) {
+        std::erase_if(left_out_.models, [&](const std::string& uri) {
             if (!isWebAddress(uri)) return false;
             const auto address = fuelUriOf(uri);
             // The program downloads whole models.
@@ -294,11 +292,12 @@ class SceneOfLinks {
             "place of the address",
             "models or meshes are on the web and are left out; download them and write their "
             "paths in place of the addresses");
-        say(missing_,
+        say(left_out_.models,
             "model or mesh was not found and is left out; give the folder around it with --models",
             "models or meshes were not found and are left out; give the folder around them with "
             "--models");
-        say(missing_includes_, "<include> is left out", "<include>s are left out");
+        say(left_out_.includes, "name of <include>s that are left out",
+            "names of <include>s that are left out");
         say(absent_,
             "mesh is not in the folder of its model and is left out; copy or download the whole "
             "model",
@@ -310,17 +309,17 @@ class SceneOfLinks {
             "meshes are left out, since their files' names differ in upper and lower case; rename "
             "the files");
         say(incomplete_, "object lacks a mesh", "objects lack a mesh");
-        say(unread_scripts_,
-            "material script is not read, so its colours and textures are missing; give the mesh "
-            "these materials",
-            "material scripts are not read, so their colours and textures are missing; give the "
-            "meshes these materials");
+        say(left_out_.scripts,
+            "material script is not read, so its textures are missing; use a mesh file that "
+            "contains the material",
+            "material scripts are not read, so their textures are missing; use mesh files that "
+            "contain the materials");
         say(unreadable_, "mesh cannot be read and is left out; export it again",
             "meshes cannot be read and are left out; export them again");
         say(unmatched_, "submesh is not in its mesh and is left out; correct its name",
             "submeshes are not in their meshes and are left out; correct their names");
         remarks_.addTo(scene_);
-        for (const auto& [shape, count] : unknown_shapes_) {
+        for (const auto& [shape, count] : left_out_.shapes) {
             scene_.warnings.push_back(counted(count, "visual is", "visuals are") +
                                       " left out, since <" + shape +
                                       "> is not supported; replace it by a mesh");
@@ -352,13 +351,10 @@ class SceneOfLinks {
     /// Indices of materials by the original material's index, colour and opacity.
     std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> painted_;
     std::map<std::size_t, std::string> name_in_mesh_;  // the node's name in the file, by part
-    std::vector<std::string> missing_;                 // models and meshes, by address
-    std::vector<std::string> missing_includes_;        // by name
-    std::vector<std::string> unread_scripts_;          // by name
+    OmittedParts left_out_;                            // models include meshes that were not found
     std::vector<std::string> absent_;                  // meshes that a model's folder lacks
     std::vector<std::string> other_case_;  // meshes found only by ignoring upper and lower case
     std::vector<std::string> incomplete_;  // objects with such meshes
-    UnknownShapes unknown_shapes_;
     std::vector<std::string> unreadable_;
     std::vector<std::string> unmatched_;
 };

@@ -38,7 +38,7 @@ using UnknownShapes = std::map<std::string, std::size_t>;
 struct OmittedParts {
     std::vector<std::string> models;    // that were not found
     std::vector<std::string> includes;  // names of the <include>s of these models
-    std::vector<std::string> scripts;   // names of material scripts
+    std::vector<std::string> scripts;   // names of material scripts that are not read
     UnknownShapes shapes;
     std::vector<std::string> doubts;  // warnings, each with file and line
 };

@@ -32,8 +32,10 @@ std::string upDoubt(UpAxis likelier, const Scene& scene) {
 
 void doubtAxis(const FrameEvidence& evidence, const Scene& scene, ImportProposal& proposal) {
     const std::vector<UpEvidence> ranked = scoreUpAxes(evidence);
-    const bool is_opposite = ranked.front().axis.letter == kWorldUp.letter;
-    const double lead = is_opposite && scene.report.up_source == "file" ? kUpsideDownLead : 1.0;
+    constexpr double kLead = 1.0;
+    const double lead = scene.report.up_source == "file"
+                            ? leadAgainstFormat(ranked.front().axis, kWorldUp, kLead)
+                            : kLead;
     if (!contradicts(evidence, ranked, kWorldUp, lead)) {
         proposal.up_unconfirmed = leadOf(ranked, kWorldUp) <= kUnconfirmingLead;
         return;

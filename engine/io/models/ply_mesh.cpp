@@ -205,7 +205,7 @@ class PlyReader {
         };
         if (!has(X, Z)) return skip(element);
         noteUnread(element, slots, mesh_.unread_numbers);
-        mesh_.classes_are_nyu40 |= classesAreNyu40(element, slots);
+        mesh_.position_classes_are_nyu40 = classesAreNyu40(element, slots);
         const float color_scale =
             has(Red, Blue) ? scaleOfColor(element.properties[slots[Red]].kind) : 0.0F;
         for (at_ = 0; at_ < element.count; ++at_) {
@@ -247,7 +247,7 @@ class PlyReader {
         const std::size_t places = listNamed(element, "texcoord", "texcoord");
         if (corners == kNowhere) return skip(element);
         noteUnread(element, slots, mesh_.unread_numbers);
-        mesh_.classes_are_nyu40 |= classesAreNyu40(element, slots);
+        mesh_.face_classes_are_nyu40 = classesAreNyu40(element, slots);
         for (at_ = 0; at_ < element.count; ++at_) {
             if (!readRecord(element)) return false;
             const std::vector<double>& face = lists_[corners];

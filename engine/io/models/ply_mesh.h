@@ -29,8 +29,10 @@ struct PlyMesh {
     std::vector<std::int64_t> face_classes;
     std::vector<std::int64_t> position_objects;
     std::vector<std::int64_t> position_classes;
-    bool classes_are_nyu40 = false;  // otherwise they are the file's own
-    std::string texture;             // file name; empty: none
+    // Whether the class numbers are NYU40's; otherwise they are the file's own.
+    bool face_classes_are_nyu40 = false;
+    bool position_classes_are_nyu40 = false;
+    std::string texture;  // file name; empty: none
     /// Names of other integer properties, such as "segment of faces".
     std::vector<std::string> unread_numbers;
 };

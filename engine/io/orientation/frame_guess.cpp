@@ -53,10 +53,10 @@ void weighFileAxis(const RawScene& raw, const FrameEvidence& evidence, FrameChoi
     if (!raw.objects.empty()) return;
     const std::vector<UpEvidence> ranked = scoreUpAxes(evidence);
     if (!contradicts(evidence, ranked, raw.file_up_axis, kOverwhelming)) {
-        const bool is_opposite = ranked.front().axis.letter == raw.file_up_axis.letter;
+        const UpAxis best = ranked.front().axis;
         if (contradicts(evidence, ranked, raw.file_up_axis,
-                        is_opposite ? kUpsideDownLead : kDoubtfulLead)) {
-            choice.likelier_up = ranked.front().axis;
+                        leadAgainstFormat(best, raw.file_up_axis, kDoubtfulLead))) {
+            choice.likelier_up = best;
         }
         return;
     }

@@ -276,6 +276,11 @@ double leadOf(const std::vector<UpEvidence>& ranked, UpAxis axis) {
     return own->score - (own == ranked.begin() ? ranked[1] : ranked[0]).score;
 }
 
+double leadAgainstFormat(UpAxis best, UpAxis of_file, double otherwise) {
+    constexpr double kUpsideDown = 1.5;
+    return best.letter == of_file.letter ? kUpsideDown : otherwise;
+}
+
 bool contradicts(const FrameEvidence& evidence, const std::vector<UpEvidence>& ranked, UpAxis axis,
                  double lead) {
     if (evidence.objects.size() < std::size_t{kFewestObjects}) return false;

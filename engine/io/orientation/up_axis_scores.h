@@ -32,9 +32,10 @@ std::vector<UpEvidence> scoreUpAxes(const FrameEvidence& evidence);
 /// from scoreUpAxes().
 [[nodiscard]] double leadOf(const std::vector<UpEvidence>& ranked, UpAxis axis);
 
-/// The lead from which a file is taken to be upside down, although its format specifies an axis.
-/// Hardly any is, and lamps that hang from a ceiling look like objects on a floor.
-inline constexpr double kUpsideDownLead = 1.5;
+/// The smallest lead with which `best` is proposed in place of the axis that a file's format
+/// specifies: `otherwise`, but more if the file would be upside down. Few files are, and lamps that
+/// hang from a ceiling resemble objects on a floor.
+[[nodiscard]] double leadAgainstFormat(UpAxis best, UpAxis of_file, double otherwise);
 
 /// Whether the best direction leads `axis` by at least `lead`. Always false for fewer than four
 /// objects, which may lie on their side. Also false if the best direction is the opposite one, no

@@ -116,6 +116,7 @@ LabelledFaces byObjects(const std::vector<std::int64_t>& objects,
     std::map<std::int64_t, std::size_t> index;
     for (const std::int64_t number : objects) index.try_emplace(numberOf(number), 0);
     LabelledFaces labelled;
+    labelled.classes_are_nyu40 = nyu40;
     for (auto& [number, at] : index) {
         at = labelled.objects.size();
         LabelledObject object;
@@ -143,6 +144,7 @@ LabelledFaces byClasses(const PlyMesh& mesh, const std::vector<std::size_t>& fir
     std::map<std::size_t, std::size_t> sizes;
     for (std::size_t f = 0; f < classes.size(); ++f) ++sizes[pieces.root(f)];
     LabelledFaces labelled;
+    labelled.classes_are_nyu40 = nyu40;
     std::map<std::pair<std::int64_t, std::size_t>, std::size_t> index;
     constexpr std::size_t kSpecks = -1;
     std::map<std::int64_t, std::size_t> largest;
@@ -177,7 +179,9 @@ LabelledFaces byClasses(const PlyMesh& mesh, const std::vector<std::size_t>& fir
 }  // namespace
 
 std::optional<LabelledFaces> labelFaces(const PlyMesh& mesh, const LabelNames& names) {
-    const bool nyu40 = mesh.classes_are_nyu40;
+    // The class numbers of faces are preferred, as in classesOf().
+    const bool nyu40 =
+        mesh.face_classes.empty() ? mesh.position_classes_are_nyu40 : mesh.face_classes_are_nyu40;
     const std::vector<std::size_t> first = firstIndices(mesh);
     const std::vector<std::int64_t> objects = objectsOf(mesh, names, first);
     const std::vector<std::int64_t> classes = classesOf(mesh, first);

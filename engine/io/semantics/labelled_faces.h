@@ -22,6 +22,7 @@ struct LabelledObject {
 struct LabelledFaces {
     std::vector<LabelledObject> objects;
     std::vector<std::size_t> of_face;  // index into `objects`
+    bool classes_are_nyu40 = false;
 };
 
 /// The objects of a mesh, in increasing order of their numbers. A face has its own number, or the

@@ -47,7 +47,9 @@ class ObjectList {
         object.structure = !labelled.target || isStructureClass(labelled.nyu40);
         std::string base = labelled.category;
         if (base.empty() && labelled.nyu40 > 0) base = nyu40Name(labelled.nyu40);
-        if (base.empty()) base = fmt::format("instance_{}", labelled.number);
+        if (base.empty()) {
+            base = labelled.number < 0 ? "object" : fmt::format("instance_{}", labelled.number);
+        }
         if (!labelled.target) base = labelled.nyu40 > 0 ? base + " specks" : "unlabelled";
         object.name = names_.next(base);
         object.parts = std::move(parts);
@@ -147,7 +149,8 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
                                 names->segments.size(), mesh->positions.size()),
                     files.segments.string());
     }
-    mesh->classes_are_nyu40 |= files.nyu40;
+    mesh->face_classes_are_nyu40 |= files.nyu40;
+    mesh->position_classes_are_nyu40 |= files.nyu40;
     const std::optional<LabelledFaces> faces = labelFaces(*mesh, *names);
     if (!faces) {
         return fail(ErrorCode::BadInput,
@@ -198,7 +201,7 @@ Result<RawScene> readPly(const fs::path& path, const JobContext& job) {
     if (Status few = checkCount(*faces, path); !few) return tl::unexpected(few.error());
     RawScene scene = sceneOf(*mesh, *faces, list.value_or(fs::path()));
     if (!list_fault.empty()) scene.warnings.push_back(list_fault);
-    if (!list && !mesh->classes_are_nyu40) {
+    if (!list && !faces->classes_are_nyu40) {
         scene.notes.push_back(
             "the file has numbers of objects or classes without names; name them in " +
             cleanText(path.stem().string()) + ".labels.json ({\"3\": \"chair\"}) beside it");

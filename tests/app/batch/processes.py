@@ -29,7 +29,13 @@ def state(pid):
 
 
 def alive(pid):
-    return state(pid) != "Z"
+    """Whether a thread of the process runs. Until the last one has ended, its files stay open and
+    locked, even if the process counts as a zombie already."""
+    try:
+        threads = len(list(pathlib.Path(f"/proc/{pid}/task").iterdir()))
+    except OSError:
+        return False
+    return threads > 1 or state(pid) != "Z"
 
 
 def memory_kb(pid):

@@ -117,7 +117,7 @@ TEST(Gazebo, MissingModelsNameTheirIncludes) {
         folder.write("room.world", world(modelAt(0, "ball", kBall) + include +
                                          "<name>red</name></include>" + include + "</include>")));
     EXPECT_TRUE(says(scene.report.warnings, "--models: model://sofa"));
-    EXPECT_TRUE(says(scene.report.warnings, "2 <include>s are left out: red, sofa"));
+    EXPECT_TRUE(says(scene.report.warnings, "2 names of <include>s that are left out: red, sofa"));
 }
 
 TEST(Gazebo, IncludesThatAreMissingCountToo) {
@@ -309,8 +309,8 @@ TEST(Gazebo, MaterialScriptsThatAreNotReadAreNamed) {
     const Scene scene = imported(
         folder.write("room.world", world(painted(0, "Gazebo/Red") + painted(2, "Custom/cola"))));
     EXPECT_TRUE(says(scene.report.warnings,
-                     "1 material script is not read, so its colours and textures are missing; give "
-                     "the mesh these materials: Custom/cola"));
+                     "1 material script is not read, so its textures are missing; use a mesh file "
+                     "that contains the material: Custom/cola"));
 }
 
 // A building on Gazebo's ground plane is the scene, however large it is.

@@ -156,8 +156,7 @@ const Counts kHouse = {
 
 TEST(Labelled, RScansVerticesHaveObjectsAndNyu40Classes) {
     const TempFolder folder;
-    // Objects 1 to 5; as a second number, each vertex has the NYU40 class: floor, wall, three
-    // sofas.
+    // A second number of each vertex is its NYU40 class: sofa for the objects 7 to 9.
     std::string ply = asciiPly(trianglesOf(numberedRoom(1, 2, 7, 8, 9)), false, "objectId");
     ply.insert(ply.find("element face"), "property uchar NYU40\n");
     std::size_t at = ply.find("end_header\n") + 11;

@@ -15,6 +15,10 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::planning::cancelling_test {
 namespace {
@@ -41,8 +45,8 @@ class CancelledJob {
 
 constexpr int kNever = std::numeric_limits<int>::max();
 
-/// Cancels the work at its first report, and at each that follows but the last, with which it is
-/// done. It must say so, and go on with none of its later parts.
+/// Cancels the work at every report except the last; it must then fail with Cancelled, and send at
+/// most one more report.
 void expectCancels(const std::function<Status(const JobContext&)>& work) {
     CancelledJob whole(kNever);
     const Status done = work(whole.job());
@@ -72,8 +76,7 @@ BaselineScene room() {
     builder.object("stool").box({3.0, 3.0, 0.3}, {0.4, 0.4, 0.6});
     builder.object("cupboard").box({3.0, 0.5, 1.3}, {2.0, 1.0, 2.6});
     auto made = mapBaselineScene(std::make_shared<const Scene>(builder.build()), {}, {}, {});
-    EXPECT_TRUE(made.has_value());
-    return std::move(*made);
+    return std::move(made.value());  // throws if there is none
 }
 
 /// A line that grazes the cupboard, in two paths.
