@@ -8,7 +8,7 @@ namespace dollytrack::cli {
 
 struct SceneArguments;
 
-/// Adds the positional argument `scene` and the options of addImportArguments().
+/// Adds the positional argument `scene` and all options that addImportArguments() adds.
 void addSceneArguments(CLI::App& command, SceneArguments& arguments);
 /// Adds --unit, --up, --labels, --models, --annotations, --keep-meshes, --convert and --cloud: the
 /// part of addSceneArguments() for commands that take several scenes.

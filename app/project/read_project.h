@@ -32,7 +32,8 @@ struct ProjectContent {
     nlohmann::json others = nlohmann::json::object();         // other sections of the file
 };
 
-/// The kinds of scenes that can be read, for help texts.
+/// The kinds of scene files, for help texts. Blender comes last, because its files must be
+/// converted: the command line appends "with --convert".
 inline constexpr const char* kSceneFormats =
     "OBJ, FBX, glTF, GLB, DAE, PLY, STL; Gazebo, URDF, Habitat; point clouds; homes; 3D-FRONT, "
     "SceneNet RGB-D; Blender";

@@ -13,7 +13,7 @@
 namespace dollytrack::gather {
 
 /// A layout of numbered files (shards) that each hold as many frames as the limits allow. `Frame`
-/// is the content of a frame, read but not yet written; its memory is used again for later frames.
+/// is a frame's content between reading and writing; later frames reuse its memory.
 /// One thread writes frames while the others read the next ones.
 template <class Frame>
 class ShardLayout : public Layout {
