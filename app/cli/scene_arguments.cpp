@@ -345,7 +345,7 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     }
     Result<std::shared_ptr<const Scene>> imported = importSceneOf(*read, reading);
     if (!imported) return tl::unexpected(std::move(imported.error()));
-    warnOfAll("import", (*imported)->report.warnings);
+    if (!arguments.reports_import) warnOfAll("import", (*imported)->report.warnings);
     const Result<std::vector<std::string>> lost = numberEdits(*read, **imported);
     if (!lost) return tl::unexpected(lost.error());
     warnOfAll("annotations", *lost);

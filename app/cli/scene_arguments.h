@@ -44,6 +44,7 @@ struct SceneArguments {
     std::string end;
     bool loop = false;
     std::optional<double> time_s;  // time of the object tracks
+    bool reports_import = false;   // the command itself prints the warnings of the import
     bool one_of_several = false;   // one of several scenes: may lack --ignore and --only names
 };
 

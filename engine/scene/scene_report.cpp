@@ -174,6 +174,8 @@ std::string describeScene(const Scene& scene) {
     text += format("  triangles  %zu\n", scene.triangles.size());
     text += format("  textures   %d found, %zu missing\n", scene.report.textures_found,
                    scene.report.textures_missing.size());
+    for (const std::string& warning : scene.report.warnings)
+        text += "  doubtful   " + warning + "\n";
 
     std::size_t name_width = 4;
     for (const Object& object : scene.objects) {
@@ -195,7 +197,6 @@ std::string describeScene(const Scene& scene) {
         text += "\n  missing texture: " + name;
     }
     for (const std::string& note : scene.report.notes) text += "\n  note: " + note;
-    for (const std::string& warning : scene.report.warnings) text += "\n  doubtful: " + warning;
     return text + "\n";
 }
 

@@ -103,9 +103,11 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
 Result<Picture> renderOverview(std::unique_ptr<gl::Context> context, const Scene& scene,
                                const RayCaster& rays, const Overlay& overlay,
                                const OverviewSettings& settings,
-                               std::span<const Eigen::AlignedBox3d> rooms) {
+                               std::span<const Eigen::AlignedBox3d> rooms, const JobContext& job) {
     const View view = overviewOf(scene, settings, rooms);
-    const LightVolume light = lightVolumeOf(scene, rays, makeLightRig(scene, rays, rooms));
+    const LightVolume light = lightVolumeOf(scene, rays, makeLightRig(scene, rays, rooms), {},
+                                            job.stage(0.0, 0.9, "light"));
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Rendering the picture was cancelled.");
     Result<OffscreenRenderer> renderer = OffscreenRenderer::create(
         std::move(context), scene, light, view.intrinsics.width, view.intrinsics.height);
     if (!renderer) return tl::unexpected(renderer.error());

@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/geometry/ray_caster.h"
+#include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 #include "render/gl/context.h"
 #include "render/overlays/overlay.h"
@@ -39,12 +40,14 @@ struct Picture {
 [[nodiscard]] View overviewOf(const Scene& scene, const OverviewSettings& settings = {},
                               std::span<const Eigen::AlignedBox3d> rooms = {});
 
-/// Renders the overview with an overlay. The rooms are lit as by makeLightRig(). Returns the
-/// renderer's errors (NoOpenGl, Usage for sizes beyond the driver's limit, Failed).
+/// Renders the overview with an overlay. The rooms are lit as by makeLightRig(), which takes most
+/// of the time of `job`. Returns the renderer's errors (NoOpenGl, Usage for sizes beyond the
+/// driver's limit, Failed) and Cancelled.
 [[nodiscard]] Result<Picture> renderOverview(std::unique_ptr<gl::Context> context,
                                              const Scene& scene, const RayCaster& rays,
                                              const Overlay& overlay,
                                              const OverviewSettings& settings = {},
-                                             std::span<const Eigen::AlignedBox3d> rooms = {});
+                                             std::span<const Eigen::AlignedBox3d> rooms = {},
+                                             const JobContext& job = {});
 
 }  // namespace dollytrack::render

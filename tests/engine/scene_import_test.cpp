@@ -183,7 +183,7 @@ TEST(SceneImport, DoubtsAUnitThatMakesADollsHouse) {
         return all;
     };
     EXPECT_EQ(warningsAt("2.6").find("the unit is doubtful"), std::string::npos);
-    EXPECT_NE(warningsAt("1.2").find("1 unit = 1 m, which makes the room height 1.2 m"),
+    EXPECT_NE(warningsAt("1.2").find("1 unit = 1 m, which makes the room 1.2 m high"),
               std::string::npos);
 }
 

@@ -99,6 +99,7 @@ void addInfoCommand(CLI::App& app, Session& session) {
     addSceneArguments(*command, *arguments);
     command->add_flag("--json", *as_json, "Print the summary as JSON");
     command->callback([&session, arguments, as_json] {
+        arguments->reports_import = !*as_json;
         session.action = [&session, arguments, as_json] {
             return runInfo(*arguments, *as_json, session);
         };

@@ -65,6 +65,7 @@ constexpr const char* kPlanning = "planning";
 constexpr const char* kDenseSearch = "dense search";
 constexpr const char* kFrames = "frames";
 constexpr const char* kRemedies = "remedies";
+constexpr const char* kPicture = "picture";
 constexpr const char* kCoverage = "coverage";
 
 /// The parts that were asked for, by how long they usually take compared with each other.
@@ -75,6 +76,7 @@ JobPhases phasesOf(const PlanArguments& arguments, const JobContext& job) {
              {kDenseSearch, arguments.bound ? 2.0 : 0.0},
              {kFrames, asksForQuality(arguments) ? 4.0 : 0.0},
              {kRemedies, arguments.explain ? 40.0 : 0.0},
+             {kPicture, arguments.picture.empty() ? 0.0 : 20.0},
              {kCoverage, arguments.coverage.empty() ? 0.0 : 40.0}}};
 }
 
@@ -124,7 +126,7 @@ Result<std::vector<LedgerRow>> explain(const OpenedScene& opened, PlannedScene& 
 }
 
 Status savePicture(const OpenedScene& opened, const planning::Pipeline& pipeline, const Plan& plan,
-                   const PlanArguments& arguments) {
+                   const PlanArguments& arguments, const JobContext& job) {
     const std::size_t storeys = render::storeysOf(*opened.scene, plan.rooms).size();
     if (arguments.storey > static_cast<int>(storeys)) {
         return fail(
@@ -138,7 +140,7 @@ Status savePicture(const OpenedScene& opened, const planning::Pipeline& pipeline
     if (!context) return tl::unexpected(std::move(context.error()));
     const auto picture = render::renderOverview(
         std::move(*context), *opened.scene, *pipeline.rays(),
-        render::planOverlay(*opened.scene, plan, opened.params.camera), settings, plan.rooms);
+        render::planOverlay(*opened.scene, plan, opened.params.camera), settings, plan.rooms, job);
     if (!picture) return tl::unexpected(picture.error());
     const auto png = encodePng(picture->width, picture->height, PngFormat::Rgb8, picture->rgb);
     if (!png) return tl::unexpected(png.error());
@@ -213,19 +215,22 @@ Result<ExitCode> runBaseline(const PlanArguments& arguments,
 /// Writes the project, the picture and the coverage that were asked for.
 Status writeFiles(const OpenedScene& opened, planning::Pipeline& pipeline,
                   const PlannedScene& planned, const PlanArguments& arguments,
-                  const JobContext& job) {
+                  const Session& session, const JobPhases& phases) {
     if (!arguments.out.empty()) {
         ProjectFile project = projectOf(opened);
         project.result = planned.result;
         if (Status status = saveProject(project, arguments.out); !status) return status;
     }
     if (!arguments.picture.empty()) {
-        if (Status status = savePicture(opened, pipeline, *planned.plan, arguments); !status) {
+        if (Status status = savePicture(opened, pipeline, *planned.plan, arguments,
+                                        hideInnerStages(session, phases.of(kPicture)));
+            !status) {
             return status;
         }
     }
     if (arguments.coverage.empty()) return {};
-    return saveCoverage(opened, pipeline, *planned.plan, arguments.coverage, job);
+    return saveCoverage(opened, pipeline, *planned.plan, arguments.coverage,
+                        hideInnerStages(session, phases.of(kCoverage)));
 }
 
 /// Checked before the work: files with another extension cannot be opened again.
@@ -293,8 +298,7 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         if (!rows) return tl::unexpected(std::move(rows.error()));
         ledger = std::move(*rows);
     }
-    if (Status status = writeFiles(*opened, pipeline, *planned, arguments,
-                                   hideInnerStages(session, phases.of(kCoverage)));
+    if (Status status = writeFiles(*opened, pipeline, *planned, arguments, session, phases);
         !status) {
         return tl::unexpected(std::move(status.error()));
     }

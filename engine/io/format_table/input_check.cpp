@@ -1,7 +1,9 @@
 #include "engine/io/format_table/input_check.h"
 #include "engine/io/files/file_type.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/core/name_pattern.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/datasets/hypersim_annotations.h"
 #include "engine/io/files/input_file.h"
 #include "engine/io/format_table/scene_format.h"
@@ -11,6 +13,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace dollytrack {
@@ -285,6 +288,40 @@ Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) 
         where);
 }
 
+/// The scene files in a folder and up to three levels below, those in the upper levels first. Looks
+/// at a limited number of files, because the folder may be any folder of the disk.
+std::vector<std::string> sceneFilesIn(const Path& folder) {
+    constexpr int kDeepest = 3;
+    constexpr int kMostEntries = 5000;
+    std::vector<std::pair<int, std::string>> found;
+    std::error_code error;
+    namespace fs = std::filesystem;
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                           error);
+    for (int visited = 0;
+         !error && entry != fs::recursive_directory_iterator() && visited < kMostEntries;
+         ++visited, entry.increment(error)) {
+        std::error_code unreadable;
+        if (entry.depth() >= kDeepest) entry.disable_recursion_pending();
+        if (!entry->is_regular_file(unreadable) || !isSceneFile(entry->path())) continue;
+        found.emplace_back(entry.depth(),
+                           cleanText(entry->path().lexically_relative(folder).string()));
+    }
+    std::ranges::sort(found);
+    std::vector<std::string> names;
+    for (auto& [depth, name] : found) names.push_back(std::move(name));
+    return names;
+}
+
+std::string describeFolder(const Path& folder) {
+    constexpr std::size_t kShown = 5;
+    const std::vector<std::string> scenes = sceneFilesIn(folder);
+    if (scenes.empty()) {
+        return "this is a folder without a scene file; scenes are " + listOfExtensions() + " files";
+    }
+    return "this is a folder; give the scene file inside it: " + listOf(scenes, kShown);
+}
+
 }  // namespace
 
 Result<const SceneFormat*> checkSceneFile(const Path& path) {
@@ -301,9 +338,7 @@ Result<const SceneFormat*> checkSceneFile(const Path& path) {
     if (std::filesystem::is_directory(status)) {
         const std::string hypersim = describeHypersimFolder(path);
         if (!hypersim.empty()) return fail(ErrorCode::Usage, hypersim, where);
-        return fail(ErrorCode::BadInput,
-                    "this is a folder; give the scene file inside it (" + listOfExtensions() + ")",
-                    where);
+        return fail(ErrorCode::BadInput, describeFolder(path), where);
     }
     if (!std::filesystem::is_regular_file(status)) {
         return fail(ErrorCode::BadInput, "this is not an ordinary file", where);

@@ -59,9 +59,8 @@ void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal
     if (differs && !furniture_fits) proposal.unit_m = likelier;
     const bool by_file = scene.report.unit_source == "file";
     proposal.unit_doubt =
-        fmt::format("the unit is doubtful: {}1 unit = {:.3g} m, which makes the {}{}",
-                    by_file ? "the file says " : "", unit_m, score.evidence,
-                    furniture_fits ? " of usual size" : "");
+        fmt::format("the unit is doubtful: {}1 unit = {:.3g} m, which makes {}",
+                    by_file ? "the file says " : "", unit_m, describeSizes(sizes, unit_m));
 }
 
 }  // namespace

@@ -164,16 +164,16 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
                 (by_file.score < kBelievable && another_fits_better)) {
                 choice.unit_doubt = fmt::format(
                     "the unit is doubtful: the file says 1 unit = {:.3g} m, which "
-                    "makes the {}",
-                    unit, by_file.evidence);
+                    "makes {}",
+                    unit, describeSizes(evidence, unit));
             }
             return;
         }
         best = another;
         best_unit = another_unit;
         choice.warnings.push_back(fmt::format(
-            "the file says 1 unit = {:.3g} m, which makes the {}; {:.3g} m was used instead", unit,
-            by_file.evidence, best_unit));
+            "the file says 1 unit = {:.3g} m, which makes {}; {:.3g} m was used instead", unit,
+            describeSizes(evidence, unit), best_unit));
     }
     choice.unit_m = best_unit;
     choice.unit_source = "judged: " + best.evidence;

@@ -1,5 +1,6 @@
 #include "engine/io/orientation/unit_estimate.h"
 
+#include "engine/core/text_lists.h"
 #include "engine/scene/furniture_sizes.h"
 #include "engine/scene/labels.h"
 
@@ -130,6 +131,25 @@ UnitScore scoreUnit(const UnitEvidence& evidence, double unit_m) {
     result.score = (result.score + weight * result.furniture) / (1.0 + weight);
     result.evidence += fmt::format(", {} {} of furniture", kinds, kinds == 1 ? "kind" : "kinds");
     return result;
+}
+
+std::string describeSizes(const UnitEvidence& evidence, double unit_m) {
+    constexpr double kUnusual = 0.75;  // of UnitEvidence::Kind::fitIn()
+    constexpr std::size_t kShown = 4;
+    std::vector<std::string> unusual;
+    for (const auto& kind : evidence.kinds) {
+        if (kind.fitIn(unit_m) >= kUnusual) continue;
+        unusual.push_back(fmt::format("{} {:.2g} m", nyu40Name(kind.nyu40), kind.size * unit_m));
+    }
+    std::string furniture;
+    if (!unusual.empty()) {
+        furniture = fmt::format(" (longest sides of furniture: {})", listOf(unusual, kShown));
+    } else if (!evidence.kinds.empty()) {
+        furniture = ", with furniture of usual size";
+    }
+    const bool storeys = evidence.storey_height < 0.7 * evidence.height;
+    return fmt::format("the {} {:.3g} m high{}", storeys ? "building" : "room",
+                       evidence.height * unit_m, furniture);
 }
 
 bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m) {

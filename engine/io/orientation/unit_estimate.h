@@ -37,6 +37,10 @@ struct UnitScore {
     double furniture = 0.0;  // 0..1, of furniture only; 0 without furniture
     std::string evidence;    // "room height 2.6 m, 5 kinds of furniture"
 };
+/// The height of the room and the furniture of unusual size, for messages: "the room 5.7 m high
+/// (longest sides of furniture: table 3.9 m, chair 2.1 m)".
+std::string describeSizes(const UnitEvidence& evidence, double unit_m);
+
 /// UnitScore::furniture if all kinds have about their usual sizes.
 inline constexpr double kUsualSizes = 0.95;
 UnitScore scoreUnit(const UnitEvidence& evidence, double unit_m);

@@ -184,7 +184,8 @@ class Limits(FolderCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertLess(len(result.stderr.splitlines()), 60)
         self.assertLess(len(result.stdout.splitlines()), 120)
-        self.assertIn("19990 more like this", result.stderr)
+        self.assertEqual(result.stdout.count("19990 more like this"), 1)
+        self.assertNotIn("more like this", result.stderr)
 
     # --- size
 

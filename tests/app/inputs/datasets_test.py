@@ -74,6 +74,16 @@ class DatasetsTest(program.FolderCase):
         jobs.write_text('out = "made"\nscenes = ["houses/*"]\n[import]\nmodels = ["nowhere"]\n')
         self.assertFails(program.run("batch", jobs, "--dry-run"), 4, "jobs.toml:4", "nowhere")
 
+    def test_a_folder_is_refused_with_the_scenes_in_it(self):
+        folder = self.folder / "house_of_files"
+        (folder / "rooms" / "a").mkdir(parents=True)
+        self.assertFails(program.run("info", folder), 4, "folder without a scene file", ".glb")
+        for name in ("rooms/a/kitchen.glb", "rooms/bath.obj", "readme.txt"):
+            (folder / name).write_bytes(b"")
+        result = program.run("info", folder)
+        self.assertFails(result, 4, "scene file inside it: rooms/bath.obj, rooms/a/kitchen.glb")
+        self.assertNotIn("readme", result.stderr)
+
     def test_hypersim_without_geometry_says_what_is_there(self):
         detail = self.folder / "ai_001_001" / "_detail" / "mesh"
         detail.mkdir(parents=True)
