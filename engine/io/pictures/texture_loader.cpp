@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace dollytrack {
@@ -64,6 +65,32 @@ std::string readBytes(const ConfinedFolder& folder, const fs::path& path) {
 }
 
 }  // namespace
+
+void shareTextures(RawScene& scene) {
+    using File = std::tuple<std::string, fs::path, bool>;
+    std::map<File, int> first;
+    std::vector<int> shared;
+    std::vector<TextureRequest> kept;
+    for (TextureRequest& request : scene.textures) {
+        int index = static_cast<int>(kept.size());
+        if (request.embedded.empty()) {
+            const auto [found, is_new] =
+                first.try_emplace({request.name, request.folder, request.only_there}, index);
+            index = found->second;
+            if (!is_new) kept[static_cast<std::size_t>(index)].opaque &= request.opaque;
+        }
+        shared.push_back(index);
+        if (index == static_cast<int>(kept.size())) kept.push_back(std::move(request));
+    }
+    for (Material& material : scene.materials) {
+        visitTextures(material, [&](int& index) {
+            if (index >= 0 && index < static_cast<int>(shared.size())) {
+                index = shared[static_cast<std::size_t>(index)];
+            }
+        });
+    }
+    scene.textures = std::move(kept);
+}
 
 TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureRequest>& requests,
                         const JobContext& job) {

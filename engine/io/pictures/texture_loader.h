@@ -16,6 +16,10 @@ struct TextureSet {
     int found = 0;
 };
 
+/// Lets materials that request the same image file share one texture, because models of a world and
+/// parts of a house often use the same ones. Embedded images stay as they are.
+void shareTextures(RawScene& scene);
+
 /// Finds and decodes the requested textures in parallel: embedded bytes, otherwise a file in the
 /// request's folder (by default that of `scene_path`) or its subfolders, also in another subfolder
 /// or in another case than written. Symbolic links out of the folder are not followed. Images with

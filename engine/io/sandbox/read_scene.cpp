@@ -9,6 +9,7 @@ Result<DecodedScene> readScene(const SceneFormat& format, const std::filesystem:
     Result<RawScene> raw = format.read(path, options, job.stage(0.0, 0.7, "reading"));
     if (!raw) return tl::unexpected(raw.error());
     DecodedScene scene{std::move(*raw), {}};
+    shareTextures(scene.raw);
     if (options.read_textures) scene.textures = loadTextures(path, scene.raw.textures, job);
     return scene;
 }

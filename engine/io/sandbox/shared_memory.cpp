@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace dollytrack {
@@ -28,6 +30,19 @@ Error noMemory(int error) {
             std::string("there is not enough memory for the imported scene (") +
                 std::strerror(error) + ")",
             {}};
+}
+
+/// Seals the memory against writing. Fails with EBUSY while it is mapped for writing, and also for
+/// a short time after that while the kernel itself uses some of its pages, as on a busy machine.
+bool sealAgainstWriting(int memory) {
+    constexpr auto kLongest = std::chrono::seconds(5);
+    constexpr auto kPause = std::chrono::milliseconds(10);
+    const auto end = std::chrono::steady_clock::now() + kLongest;
+    while (::fcntl(memory, F_ADD_SEALS, F_SEAL_WRITE) != 0) {
+        if (errno != EBUSY || std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(kPause);
+    }
+    return true;
 }
 
 }  // namespace
@@ -53,7 +68,7 @@ Result<std::span<const std::uint8_t>> SharedMemory::close(std::size_t used) {
     if (used == 0 || used > size_) {
         return fail(ErrorCode::BadInput, "its length is none");
     }
-    if (view_ || ::fcntl(memory_.get(), F_ADD_SEALS, F_SEAL_WRITE) != 0) {
+    if (view_ || !sealAgainstWriting(memory_.get())) {
         return fail(ErrorCode::BadInput, "the returned data can still be modified");
     }
     void* view = ::mmap(nullptr, used, PROT_READ, MAP_SHARED | MAP_POPULATE, memory_.get(), 0);

@@ -20,7 +20,7 @@ class SharedMemory {
     [[nodiscard]] static Result<SharedMemory> make(std::size_t size);
 
     /// Seals the memory and returns its first `used` bytes, which nobody can change any more.
-    /// Error: BadInput if another process still has it mapped for writing.
+    /// Error: BadInput if another process still has it mapped for writing after some seconds.
     [[nodiscard]] Result<std::span<const std::uint8_t>> close(std::size_t used);
 
     [[nodiscard]] int descriptor() const { return memory_.get(); }

@@ -231,7 +231,8 @@ TEST(Gazebo, ColoursStayWithTheirVisual) {
     EXPECT_GT((plain - color).norm(), 1e-3F) << plain.transpose();
 }
 
-// Two textures with the same name: the mesh's path determines which one is used.
+// Two textures with the same name: the mesh's path determines which one is used. Each file is one
+// texture, however many meshes use it.
 TEST(Gazebo, TexturesLieBesideTheMeshesOrAroundThem) {
     const TempFolder folder;
     const std::string head = "P6\n1 1\n255\n";
@@ -241,7 +242,8 @@ TEST(Gazebo, TexturesLieBesideTheMeshesOrAroundThem) {
         folder.write("models/m/materials/textures/map.ppm", head + std::string(2, '\0') + "\xFF"));
     std::string links;
     for (const auto& [name, map] :
-         {std::pair("red", "map.ppm"), std::pair("blue", "../materials/textures/map.ppm")}) {
+         {std::pair("red", "map.ppm"), std::pair("blue", "../materials/textures/map.ppm"),
+          std::pair("orange", "map.ppm")}) {
         const std::string mesh = "models/m/meshes/" + std::string(name);
         static_cast<void>(
             folder.write(mesh + ".mtl", "newmtl m\nmap_Kd " + std::string(map) + "\n"));
@@ -249,7 +251,7 @@ TEST(Gazebo, TexturesLieBesideTheMeshesOrAroundThem) {
             mesh + ".obj", "mtllib " + std::string(name) +
                                ".mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
                                "f 1/1 2/2 3/3\n"));
-        links += "<link name='" + std::string(name) + "'><pose>" + (links.empty() ? "0" : "5") +
+        links += "<link name='" + std::string(name) + "'><pose>" + std::to_string(links.size()) +
                  " 0 0 0 0 0</pose><visual name='v'><geometry><mesh><uri>"
                  "model://m/meshes/" +
                  name + ".obj</uri></mesh></geometry></visual></link>";
@@ -257,7 +259,9 @@ TEST(Gazebo, TexturesLieBesideTheMeshesOrAroundThem) {
     const Scene scene =
         imported(folder.write("room.world", world("<model name='m'>" + links + "</model>")));
     EXPECT_TRUE(scene.report.textures_missing.empty());
-    for (const auto& [name, channel] : {std::pair("red", 0U), std::pair("blue", 2U)}) {
+    EXPECT_EQ(scene.report.textures_found, 2);
+    for (const auto& [name, channel] :
+         {std::pair("red", 0U), std::pair("blue", 2U), std::pair("orange", 0U)}) {
         const Object* object = find(scene, name);
         ASSERT_NE(object, nullptr) << name;
         const int texture =

@@ -1,13 +1,18 @@
 #include "engine/io/sandbox/importer_process.h"
 #include "engine/io/sandbox/scene_serialization.h"
+#include "engine/io/sandbox/shared_memory.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <thread>
 
 namespace dollytrack::importer_process_test {
 namespace {
@@ -15,6 +20,26 @@ namespace {
 using test::TempFolder;
 
 constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+TEST(SharedMemory, IsSealedOnceNobodyHasItMappedForWriting) {
+    Result<SharedMemory> memory = SharedMemory::make(1);
+    ASSERT_TRUE(memory) << memory.error().message;
+    const auto map = [&] {
+        return ::mmap(nullptr, 1, PROT_READ | PROT_WRITE, MAP_SHARED, memory->descriptor(), 0);
+    };
+    void* view = map();
+    ASSERT_NE(view, MAP_FAILED);
+    *static_cast<std::uint8_t*>(view) = 7;
+    std::thread later([view] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        ::munmap(view, 1);
+    });
+    const auto bytes = memory->close(1);
+    later.join();
+    ASSERT_TRUE(bytes) << bytes.error().message;
+    EXPECT_EQ(bytes->front(), 7);
+    EXPECT_EQ(map(), MAP_FAILED);
+}
 
 TEST(ImporterProcess, HandsASceneBackWithWhatItRead) {
     const TempFolder folder;
