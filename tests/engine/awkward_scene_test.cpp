@@ -56,6 +56,33 @@ TEST(AwkwardScene, ASceneOfPhysicsMeshesAloneIsShown) {
     EXPECT_EQ(importedText(obj.text()).objects.size(), 1U);
 }
 
+TEST(AwkwardScene, BoardsOfAFloorAreOneFloor) {
+    ObjWriter obj = furnished();
+    const int targets = countTargets(importedText(obj.text()));
+    for (int i = 0; i < 5; ++i) {
+        for (int j = 0; j < 10; ++j) {
+            obj.object("Cube_" + std::to_string(10 * i + j))
+                .box({1.0 * i, 0.4 * j, -0.02}, {1.0 * i + 0.98, 0.4 * j + 0.38, 0.0});
+        }
+    }
+    const Scene scene = importedText(obj.text());
+    EXPECT_TRUE(says(scene.report.notes, "49 boards or tiles were joined"));
+    EXPECT_EQ(countTargets(scene), targets);
+}
+
+// Panels that leave most of the wall free are objects.
+TEST(AwkwardScene, PanelsOnAWallAreNoTiles) {
+    ObjWriter obj = furnished();
+    const int targets = countTargets(importedText(obj.text()));
+    for (int i = 0; i < 7; ++i) {
+        for (int j = 0; j < 2; ++j) {
+            obj.object("Cube_" + std::to_string(2 * i + j))
+                .box({0.5 + 0.6 * i, 0.0, 1.1 + 0.6 * j}, {0.8 + 0.6 * i, 0.03, 1.4 + 0.6 * j});
+        }
+    }
+    EXPECT_EQ(countTargets(importedText(obj.text())), targets + 14);
+}
+
 TEST(AwkwardScene, WhatIsThereTwiceCountsOnce) {
     ObjWriter obj = furnished();
     obj.object("sofa_copy").box({0.2, 3.0, 0.0}, {2.2, 3.8, 0.8});

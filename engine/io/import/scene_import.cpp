@@ -134,6 +134,12 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
         return std::ranges::find(drafts, name, &ObjectDraft::name) == drafts.end();
     });
     noteMaterialMeshes(meshes, regroup, report);
+    if (const std::size_t tiles = regroup ? mergeTiles(raw, drafts) : 0; tiles > 0) {
+        report.notes.push_back(
+            fmt::format("{} boards or tiles were joined to the floor, ceiling or wall that they "
+                        "are parts of",
+                        tiles));
+    }
     const std::vector<bool> structure = findStructure(raw, drafts);
     std::vector<MergedPiece> merges;
     if (regroup) merges = mergePieces(raw, structure, drafts);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -263,6 +265,65 @@ void joinFloating(const std::vector<Piece>& pieces, const std::vector<ObjectDraf
     }
 }
 
+/// Whether boxes that are flat along an axis together fill most of a side of the scene.
+bool fillSide(const std::vector<Eigen::AlignedBox3f>& boxes, int axis,
+              const Eigen::AlignedBox3f& scene) {
+    constexpr float kSmallestShare = 0.4F;  // of the scene's side
+    constexpr float kSmallestFill = 0.6F;   // of the rectangle around the boxes
+    constexpr int kCells = 64;
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    Eigen::AlignedBox3f around;
+    for (const Eigen::AlignedBox3f& box : boxes) around.extend(box);
+    const Eigen::Vector3f size = around.sizes();
+    if (size[u] * size[v] < kSmallestShare * scene.sizes()[u] * scene.sizes()[v]) return false;
+    std::array<std::array<bool, kCells>, kCells> filled{};
+    for (const Eigen::AlignedBox3f& box : boxes) {
+        // The first cell whose centre is not below a coordinate.
+        const auto cellAt = [&](float coordinate, int side) {
+            const float cell = kCells * (coordinate - around.min()[side]) / size[side] - 0.5F;
+            return std::clamp(static_cast<int>(std::ceil(cell)), 0, kCells);
+        };
+        for (int i = cellAt(box.min()[u], u); i < cellAt(box.max()[u], u); ++i) {
+            for (int j = cellAt(box.min()[v], v); j < cellAt(box.max()[v], v); ++j) {
+                filled[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = true;
+            }
+        }
+    }
+    int count = 0;
+    for (const auto& row : filled) count += static_cast<int>(std::ranges::count(row, true));
+    return static_cast<float>(count) >= kSmallestFill * kCells * kCells;
+}
+
+/// The groups of tiles among `boxes` that are flat along an axis; see mergeTiles().
+std::vector<std::vector<std::size_t>> findTiles(const std::vector<Eigen::AlignedBox3f>& boxes,
+                                                const std::vector<std::size_t>& candidates,
+                                                int axis, const Eigen::AlignedBox3f& scene) {
+    constexpr std::size_t kFewest = 12;
+    constexpr float kThickest = 0.1F;  // m
+    constexpr float kLevel = 0.01F;    // m: largest distance between the surfaces
+    std::vector<std::size_t> flat;
+    for (const std::size_t i : candidates) {
+        const Eigen::Vector3f size = boxes[i].sizes();
+        if (size[axis] <= kThickest && size[axis] <= size.minCoeff()) flat.push_back(i);
+    }
+    const auto levelOf = [&](std::size_t i) { return boxes[i].max()[axis]; };
+    std::ranges::stable_sort(flat, std::less(), levelOf);
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t begin = 0; begin < flat.size();) {
+        std::vector<std::size_t> group;
+        std::vector<Eigen::AlignedBox3f> tiles;
+        std::size_t end = begin;
+        for (; end < flat.size() && levelOf(flat[end]) - levelOf(flat[begin]) <= kLevel; ++end) {
+            group.push_back(flat[end]);
+            tiles.push_back(boxes[flat[end]]);
+        }
+        if (group.size() >= kFewest && fillSide(tiles, axis, scene)) groups.push_back(group);
+        begin = end;
+    }
+    return groups;
+}
+
 }  // namespace
 
 bool standsOn(const Eigen::AlignedBox3f& upper, const Eigen::AlignedBox3f& lower,
@@ -312,6 +373,37 @@ int nameRank(const ObjectDraft& draft, bool named) {
             return named ? 2 : 0;
     }
     return 0;
+}
+
+std::size_t mergeTiles(const RawScene& raw, std::vector<ObjectDraft>& drafts) {
+    std::vector<Eigen::AlignedBox3f> boxes;
+    Eigen::AlignedBox3f scene;
+    for (const ObjectDraft& draft : drafts) scene.extend(boxes.emplace_back(boundsOf(raw, draft)));
+    std::vector<bool> joined(drafts.size());
+    for (const int axis : {2, 0, 1}) {
+        std::vector<std::size_t> candidates;
+        for (std::size_t i = 0; i < drafts.size(); ++i) {
+            const LabelKind kind = drafts[i].label.kind;
+            const bool unknown = kind == LabelKind::None || kind == LabelKind::Weak;
+            if (unknown && !joined[i]) candidates.push_back(i);
+        }
+        for (const std::vector<std::size_t>& tiles : findTiles(boxes, candidates, axis, scene)) {
+            std::vector<std::size_t>& parts = drafts[tiles.front()].parts;
+            for (std::size_t i = 1; i < tiles.size(); ++i) {
+                const std::vector<std::size_t>& more = drafts[tiles[i]].parts;
+                parts.insert(parts.end(), more.begin(), more.end());
+                joined[tiles[i]] = true;
+            }
+            std::ranges::sort(parts);
+        }
+    }
+    std::vector<ObjectDraft> rest;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        if (!joined[i]) rest.push_back(std::move(drafts[i]));
+    }
+    const std::size_t count = drafts.size() - rest.size();
+    drafts = std::move(rest);
+    return count;
 }
 
 std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool>& structure,
