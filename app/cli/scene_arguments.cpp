@@ -6,6 +6,7 @@
 #include "engine/core/fold_repeats.h"
 #include "engine/core/log.h"
 #include "engine/core/name_hint.h"
+#include "engine/core/text_lists.h"
 #include "engine/document/apply_scene_edits.h"
 #include "engine/document/edits_json.h"
 #include "engine/document/operation.h"
@@ -206,6 +207,17 @@ void warnOfAll(std::string_view subsystem, const std::vector<std::string>& warni
     for (const std::string& one : foldRepeats(warnings)) log::warn(subsystem, one);
 }
 
+void warnOfTextures(const ImportReport& report) {
+    const std::vector<std::string>& missing = report.textures_missing;
+    if (missing.empty()) return;
+    constexpr std::size_t kShown = 3;
+    log::warn("import",
+              counted(missing.size(), "texture was", "textures were") +
+                  " not found in the scene's folder and its subfolders, so surfaces have flat "
+                  "colours; copy them there: " +
+                  listOf(missing, kShown));
+}
+
 /// The planning parameters that differ, by name, with their values in `other`.
 std::vector<std::pair<std::string, std::string>> changedValues(const planning::PlanParams& one,
                                                                const planning::PlanParams& other) {
@@ -345,7 +357,10 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     }
     Result<std::shared_ptr<const Scene>> imported = importSceneOf(*read, reading);
     if (!imported) return tl::unexpected(std::move(imported.error()));
-    if (!arguments.reports_import) warnOfAll("import", (*imported)->report.warnings);
+    if (!arguments.reports_import) {
+        warnOfAll("import", (*imported)->report.warnings);
+        warnOfTextures((*imported)->report);
+    }
     const Result<std::vector<std::string>> lost = numberEdits(*read, **imported);
     if (!lost) return tl::unexpected(lost.error());
     warnOfAll("annotations", *lost);

@@ -42,12 +42,14 @@ TEST(AwkwardScene, PhysicsMeshesAreNotSeen) {
     obj.object("room_hull").box({0, 0, 0}, {5, 4, 2.6});
     obj.object("coffee_table_collision").box({2.0, 1.5, 0.0}, {3.2, 2.3, 0.45});
     obj.object("lamp_col").box({4.4, 0.3, 0.0}, {4.7, 0.6, 1.5});
+    obj.object("floorNavMesh").box({0.2, 0.2, 0.0}, {4.8, 3.8, 0.01});
     // Objects with similar names are kept: a column of books, a model of a ship.
     obj.object("books_col").box({4.0, 3.0, 0.0}, {4.3, 3.3, 0.4});
     obj.object("ship_hull").box({3.0, 3.2, 0.0}, {3.8, 3.5, 0.4});
     const Scene scene = importedText(obj.text());
     EXPECT_EQ(countTargets(scene), 6);
-    EXPECT_TRUE(says(scene.report.notes, "5 meshes are collision shapes and were left out: "));
+    EXPECT_TRUE(says(scene.report.notes,
+                     "6 meshes are collision shapes or navigation meshes and were left out: "));
 }
 
 TEST(AwkwardScene, ASceneOfPhysicsMeshesAloneIsShown) {

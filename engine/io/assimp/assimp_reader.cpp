@@ -5,6 +5,7 @@
 #include "engine/io/assimp/assimp_folder.h"
 #include "engine/io/assimp/collada_asset.h"
 #include "engine/io/raw_scene/mesh_part_builder.h"
+#include "engine/io/raw_scene/vertex_colors.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"
 
@@ -287,11 +288,30 @@ std::span<const Eigen::Vector3f> vectors(const aiVector3D* data, unsigned count)
     return {reinterpret_cast<const Eigen::Vector3f*>(data), count};
 }
 
-RepairCounts readMesh(const Placement& placement, std::uint32_t material_count, MeshPart& part) {
+/// The vertex colours of a mesh; empty if it has none.
+std::vector<Eigen::Vector3f> vertexColorsOf(const aiMesh& mesh) {
+    std::vector<Eigen::Vector3f> colors;
+    if (!mesh.mColors[0]) return colors;
+    colors.reserve(mesh.mNumVertices);
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+        const aiColor4D& c = mesh.mColors[0][v];
+        colors.emplace_back(c.r, c.g, c.b);
+    }
+    return colors;
+}
+
+struct ReadMesh {
+    RepairCounts repairs;
+    std::optional<TextureRequest> painted;  // with the vertex colours, if these differ
+};
+
+/// `colors`: the vertex colours to be shown; empty: none.
+ReadMesh readMesh(const Placement& placement, std::uint32_t material,
+                  const std::vector<Eigen::Vector3f>& colors, MeshPart& part) {
     const aiMesh& mesh = *placement.mesh;
     part.name = cleanText(mesh.mName.C_Str());
     part.node = placement.node;
-    part.material = std::min(mesh.mMaterialIndex, material_count - 1);
+    part.material = material;
     std::vector<std::uint32_t> sizes;
     std::vector<std::uint32_t> indices;
     sizes.reserve(mesh.mNumFaces);
@@ -307,28 +327,46 @@ RepairCounts readMesh(const Placement& placement, std::uint32_t material_count, 
     source.uvs = vectors(mesh.mTextureCoords[0], mesh.mNumVertices);
     source.face_sizes = sizes;
     source.face_indices = indices;
-    return buildMeshPart(source, placement.source_from_mesh, part);
+    std::optional<PaintedMesh> painted = paintVertexColors(source, colors);
+    if (painted) source = painted->mesh(sizes);
+    ReadMesh read;
+    read.repairs = buildMeshPart(source, placement.source_from_mesh, part);
+    if (painted) read.painted = std::move(painted->texture);
+    return read;
 }
 
-/// A material with the mean vertex colour, for meshes without other materials.
-void useVertexColors(const aiScene& scene, const std::vector<Placement>& placements,
-                     RawScene& raw) {
-    for (std::size_t i = 0; i < placements.size(); ++i) {
+/// Reads all meshes. Vertex colours are used in scenes with hardly any materials, because they may
+/// also be masks or weights.
+void readMeshes(const aiScene& scene, const std::vector<Placement>& placements,
+                const JobContext& job, RawScene& raw) {
+    const auto last_material = static_cast<std::uint32_t>(raw.materials.size() - 1);
+    raw.parts.resize(placements.size());
+    std::vector<ReadMesh> read(placements.size());
+    std::vector<std::vector<Eigen::Vector3f>> colors(placements.size());
+    parallelFor(placements.size(), [&](std::size_t i) {
+        if (job.cancelled()) return;
         const aiMesh& mesh = *placements[i].mesh;
-        MeshPart& part = raw.parts[i];
-        if (!mesh.mColors[0] || mesh.mNumVertices == 0) continue;
-        if (raw.materials[part.material].texture >= 0 || scene.mNumMaterials > 2) continue;
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-            const aiColor4D& c = mesh.mColors[0][v];
-            sum += Eigen::Vector3f(linearFromSrgb(c.r), linearFromSrgb(c.g), linearFromSrgb(c.b))
-                       .cast<double>();
+        const std::uint32_t index = std::min(mesh.mMaterialIndex, last_material);
+        const Material& material = raw.materials[index];
+        if (material.texture < 0 && !material.hasMaps() && scene.mNumMaterials <= 2) {
+            colors[i] = vertexColorsOf(mesh);
         }
-        Material material = raw.materials[part.material];
-        material.base_color = (sum / mesh.mNumVertices).cast<float>();
-        if (!material.base_color.allFinite()) continue;
-        material.base_color = material.base_color.cwiseMax(0.0F).cwiseMin(1.0F);
-        part.material = static_cast<std::uint32_t>(raw.materials.size());
+        read[i] = readMesh(placements[i], index, colors[i], raw.parts[i]);
+        colors[i].resize(std::min<std::size_t>(colors[i].size(), 1));
+    });
+    for (std::size_t i = 0; i < placements.size(); ++i) {
+        raw.repairs.add(read[i].repairs);
+        if (colors[i].empty() || !colors[i].front().allFinite()) continue;
+        Material material = raw.materials[raw.parts[i].material];
+        if (read[i].painted) {
+            material.texture = static_cast<int>(raw.textures.size());
+            material.base_color.setOnes();
+            raw.textures.push_back(std::move(*read[i].painted));
+        } else {
+            material.base_color =
+                colors[i].front().cwiseMax(0.0F).cwiseMin(1.0F).unaryExpr(&linearFromSrgb);
+        }
+        raw.parts[i].material = static_cast<std::uint32_t>(raw.materials.size());
         raw.materials.push_back(material);
     }
 }
@@ -353,14 +391,7 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
     if (raw.materials.empty()) raw.materials.emplace_back();
 
     const std::vector<Placement> placements = collectPlacements(scene, root, raw);
-    raw.parts.resize(placements.size());
-    std::vector<RepairCounts> counts(placements.size());
-    const auto material_count = static_cast<std::uint32_t>(raw.materials.size());
-    parallelFor(placements.size(), [&](std::size_t i) {
-        if (!job.cancelled()) counts[i] = readMesh(placements[i], material_count, raw.parts[i]);
-    });
-    for (const RepairCounts& c : counts) raw.repairs.add(c);
-    useVertexColors(scene, placements, raw);
+    readMeshes(scene, placements, job, raw);
     return raw;
 }
 

@@ -111,16 +111,8 @@ void placePictures(const PictureCoordinates& coordinates, std::vector<Eigen::Vec
     }
 }
 
-std::optional<Eigen::Vector3f> meanOf(const std::vector<Eigen::Vector3f>& colors) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3f& color : colors) sum += color.cast<double>();
-    const Eigen::Vector3d mean = sum / static_cast<double>(colors.size());
-    if (!mean.allFinite()) return std::nullopt;
-    return mean.cwiseMax(0.0).cwiseMin(1.0).cast<float>();
-}
-
 Primitive readPrimitive(const Document& document, const Json& source,
-                        const std::vector<PictureCoordinates>& coordinates, bool keep_colors) {
+                        const std::vector<PictureCoordinates>& coordinates) {
     Primitive primitive;
     const std::size_t material = countOr(source, "material", coordinates.size() - 1);
     if (material >= coordinates.size()) {
@@ -149,10 +141,7 @@ Primitive readPrimitive(const Document& document, const Json& source,
     placePictures(pictures, primitive.uvs);
     if (attributes.has("COLOR_0")) {
         std::vector<Eigen::Vector3f> colors = attributes.readVectors("COLOR_0", 3);
-        if (colors.size() == count && count > 0) {
-            primitive.mean_color = meanOf(colors);
-            if (keep_colors) primitive.colors = std::move(colors);
-        }
+        if (colors.size() == count) primitive.colors = std::move(colors);
     }
     if (primitive.normals.size() != count) primitive.normals.clear();
     if (primitive.uvs.size() != count) primitive.uvs.clear();
@@ -175,15 +164,14 @@ Primitive readPrimitive(const Document& document, const Json& source,
 }  // namespace
 
 std::vector<Primitive> readMesh(const Document& document, std::size_t mesh,
-                                const std::vector<PictureCoordinates>& coordinates,
-                                bool keep_colors) {
+                                const std::vector<PictureCoordinates>& coordinates) {
     const Json& description = document.entry("meshes", mesh);
     std::string name = cleanText(textOr(description, "name"));
     if (name.empty()) name = "meshes[" + std::to_string(mesh) + "]";
     std::vector<Primitive> primitives;
     const auto& sources = listAt(description, "primitives");
     for (const Json& source : sources) {
-        primitives.push_back(readPrimitive(document, source, coordinates, keep_colors));
+        primitives.push_back(readPrimitive(document, source, coordinates));
         primitives.back().name =
             sources.size() == 1 ? name : name + "-" + std::to_string(primitives.size() - 1);
     }

@@ -22,16 +22,14 @@ struct Primitive {
     std::vector<Eigen::Vector3f> normals;
     std::vector<Eigen::Vector3f> uvs;  // v upwards
     std::vector<std::uint32_t> indices;
-    std::size_t lines = 0;                      // points and lines, which are left out
-    std::vector<Eigen::Vector3f> colors;        // of each vertex, as in the file; may be empty
-    std::optional<Eigen::Vector3f> mean_color;  // of all vertices, linear; multiplies base_color
+    std::size_t lines = 0;                // points and lines, which are left out
+    std::vector<Eigen::Vector3f> colors;  // empty, or one per position: linear; multiplies the
+                                          // material's
 };
 
 /// Reads the primitives of a mesh. `coordinates` has the texture mapping of each material; the last
-/// material is used by primitives that name none. If `keep_colors` is set, Primitive::colors keeps
-/// the colour of each vertex; otherwise only their mean, mean_color, is kept.
+/// material is used by primitives that name none.
 [[nodiscard]] std::vector<Primitive> readMesh(const Document& document, std::size_t mesh,
-                                              const std::vector<PictureCoordinates>& coordinates,
-                                              bool keep_colors);
+                                              const std::vector<PictureCoordinates>& coordinates);
 
 }  // namespace dollytrack::gltf

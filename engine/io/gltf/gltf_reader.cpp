@@ -4,12 +4,13 @@
 #include "engine/io/gltf/gltf_mesh.h"
 #include "engine/io/gltf/gltf_nodes.h"
 #include "engine/io/raw_scene/mesh_part_builder.h"
+#include "engine/io/raw_scene/vertex_colors.h"
 #include "engine/jobs/parallel.h"
+#include "engine/scene/srgb.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
-#include <tuple>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,31 +40,38 @@ RepairCounts build(const Task& task, MeshPart& part) {
     return counts;
 }
 
-/// Multiplies the base colour of a mesh by the mean of its vertex colours.
-void useVertexColors(const std::vector<Task>& tasks, RawScene& raw) {
-    constexpr float kSteps = 255.0F;
-    std::map<std::tuple<std::uint32_t, int, int, int>, std::uint32_t> made;
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-        const auto& color = tasks[i].primitive->mean_color;
-        MeshPart& part = raw.parts[i];
-        if (!color || raw.materials[part.material].texture >= 0) continue;
-        const Eigen::Vector3i steps = (*color * kSteps).array().round().cast<int>();
-        if ((steps.array() == static_cast<int>(kSteps)).all()) continue;
-        const auto key = std::tuple(part.material, steps.x(), steps.y(), steps.z());
-        const auto [found, is_new] =
-            made.try_emplace(key, static_cast<std::uint32_t>(raw.materials.size()));
-        if (is_new) {
-            Material material = raw.materials[part.material];
-            material.base_color = material.base_color.cwiseProduct(*color);
-            raw.materials.push_back(std::move(material));
-        }
-        part.material = found->second;
+/// Makes a texture of a primitive's vertex colours, or multiplies the base colour if all vertices
+/// have the same one.
+void useVertexColors(Primitive& primitive, RawScene& raw) {
+    if (primitive.colors.empty()) return;
+    Material material = raw.materials[primitive.material];
+    if (material.texture >= 0 || material.hasMaps()) return;
+    std::vector<Eigen::Vector3f> colors;
+    for (const Eigen::Vector3f& color : primitive.colors) {
+        colors.push_back(color.cwiseMax(0.0F).unaryExpr(&srgbFromLinear));
     }
+    const std::vector<std::uint32_t> sizes(primitive.indices.size() / 3, 3);
+    SourceMesh mesh{primitive.positions, primitive.normals, primitive.uvs, sizes,
+                    primitive.indices};
+    if (std::optional<PaintedMesh> painted = paintVertexColors(mesh, colors)) {
+        material.texture = static_cast<int>(raw.textures.size());
+        raw.textures.push_back(std::move(painted->texture));
+        primitive.positions = std::move(painted->positions);
+        primitive.normals = std::move(painted->normals);
+        primitive.uvs = std::move(painted->uvs);
+        primitive.indices = std::move(painted->indices);
+    } else {
+        const Eigen::Vector3f& color = primitive.colors.front();
+        if (!color.allFinite() || color.isOnes()) return;
+        material.base_color = material.base_color.cwiseProduct(color.cwiseMax(0.0F).cwiseMin(1.0F));
+    }
+    primitive.material = static_cast<std::uint32_t>(raw.materials.size());
+    raw.materials.push_back(std::move(material));
 }
 
 /// Reads each mesh that has a placement once; other meshes stay empty.
 std::vector<std::vector<Primitive>> readPlacedMeshes(
-    const Document& document, const std::vector<PictureCoordinates>& coordinates, bool keep_colors,
+    const Document& document, const std::vector<PictureCoordinates>& coordinates,
     const std::vector<MeshPlacement>& placements, const JobContext& job) {
     std::vector<std::size_t> used;
     for (const MeshPlacement& placement : placements) used.push_back(placement.mesh);
@@ -73,7 +81,7 @@ std::vector<std::vector<Primitive>> readPlacedMeshes(
     std::vector<std::vector<Primitive>> meshes(used.empty() ? 0 : used.back() + 1);
     parallelFor(used.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
-        meshes[used[i]] = readMesh(document, used[i], coordinates, keep_colors);
+        meshes[used[i]] = readMesh(document, used[i], coordinates);
     });
     return meshes;
 }
@@ -84,7 +92,10 @@ RawScene read(const Document& document, const JobContext& job) {
     raw.file_up_axis = 'y';
     const std::vector<PictureCoordinates> coordinates = readMaterials(document, raw);
     std::vector<MeshPlacement> placements = placeMeshes(document, raw);
-    const auto meshes = readPlacedMeshes(document, coordinates, false, placements, job);
+    auto meshes = readPlacedMeshes(document, coordinates, placements, job);
+    for (std::vector<Primitive>& mesh : meshes) {
+        for (Primitive& primitive : mesh) useVertexColors(primitive, raw);
+    }
     std::vector<Task> tasks;
     for (const MeshPlacement& placement : placements) {
         for (const Primitive& primitive : meshes[placement.mesh]) {
@@ -97,7 +108,6 @@ RawScene read(const Document& document, const JobContext& job) {
         if (!job.cancelled()) counts[i] = build(tasks[i], raw.parts[i]);
     });
     for (const RepairCounts& c : counts) raw.repairs.add(c);
-    useVertexColors(tasks, raw);
     return raw;
 }
 
@@ -122,7 +132,7 @@ Result<ColoredMeshes> readColoredMeshes(std::string file, const ReadBeside& read
         ColoredMeshes all;
         const std::vector<PictureCoordinates> coordinates = readMaterials(document, all.scene);
         all.placements = placeMeshes(document, all.scene);
-        all.meshes = readPlacedMeshes(document, coordinates, true, all.placements, job);
+        all.meshes = readPlacedMeshes(document, coordinates, all.placements, job);
         all.scene.nodes.clear();
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
         return all;

@@ -1,5 +1,7 @@
 #include "engine/io/homes/home_writer.h"
 
+#include "engine/scene/srgb.h"
+
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
@@ -20,9 +22,7 @@ void setText(pugi::xml_node node, const char* name, const std::string& value) {
 }
 
 int toSrgb(float linear) {
-    const float x = std::clamp(linear, 0.0F, 1.0F);
-    const float srgb = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
-    return static_cast<int>(std::lround(255.0F * srgb));
+    return static_cast<int>(std::lround(255.0F * srgbFromLinear(std::clamp(linear, 0.0F, 1.0F))));
 }
 
 void setSurface(pugi::xml_node node, const HomeSurface& surface, const char* color,

@@ -116,10 +116,11 @@ void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, Impo
     if (!proxies.empty()) {
         std::string list;
         for (const std::string& name : proxies) list += (list.empty() ? "" : ", ") + name;
-        report.notes.push_back(counted(proxies.size(),
-                                       "mesh is a collision shape and was left out: ",
-                                       "meshes are collision shapes and were left out: ") +
-                               list);
+        report.notes.push_back(
+            counted(proxies.size(),
+                    "mesh is a collision shape or navigation mesh and was left out: ",
+                    "meshes are collision shapes or navigation meshes and were left out: ") +
+            list);
     }
     if (twice > 0) {
         report.notes.push_back(

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
 
 namespace dollytrack {
 namespace {
@@ -44,6 +47,18 @@ void doubtAxis(const FrameEvidence& evidence, const Scene& scene, ImportProposal
     proposal.up_doubt = upDoubt(*proposal.up_axis, scene);
 }
 
+/// A unit to propose if only the room's size is known: halls and dioramas are not unusual, so
+/// nothing is proposed for moderate differences, and a common unit for enormous ones.
+std::optional<double> unitByRoomAlone(double unit_m, double likelier) {
+    constexpr double kModerate = 2.5;
+    constexpr double kEnormous = 100.0;
+    const double ratio = std::max(unit_m / likelier, likelier / unit_m);
+    if (ratio < kModerate) return std::nullopt;
+    if (ratio < kEnormous) return likelier;
+    const auto distance = [&](double unit) { return std::abs(std::log(unit / likelier)); };
+    return *std::ranges::min_element(kUsualUnits, std::less(), distance);
+}
+
 void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal& proposal) {
     const double unit_m = scene.report.unit_m;
     // With a wrong up axis, measured heights are not heights.
@@ -56,7 +71,9 @@ void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal
     const bool furniture_fits =
         sizes.kinds.size() >= 3 && score.furniture >= kUsualSizes && likelier < unit_m;
     const bool differs = likelier > 1.2 * unit_m || unit_m > 1.2 * likelier;
-    if (differs && !furniture_fits) proposal.unit_m = likelier;
+    if (differs && !furniture_fits) {
+        proposal.unit_m = sizes.kinds.empty() ? unitByRoomAlone(unit_m, likelier) : likelier;
+    }
     const bool by_file = scene.report.unit_source == "file";
     proposal.unit_doubt =
         fmt::format("the unit is doubtful: {}1 unit = {:.3g} m, which makes {}",

@@ -24,8 +24,8 @@ std::string plainName(const std::string& name) {
 
 Proxy judge(const std::string& name) {
     static constexpr std::array<std::string_view, 4> kPrefixes = {"ucx_", "ubx_", "usp_", "ucp_"};
-    static constexpr std::array<std::string_view, 5> kSuffixes = {
-        "_collision", "_collider", "_colonly", "-colonly", "-convcolonly"};
+    static constexpr std::array<std::string_view, 7> kSuffixes = {
+        "_collision", "_collider", "_colonly", "-colonly", "-convcolonly", "navmesh", "nav_mesh"};
     // These may also be real objects (a boat's hull), so they must coincide with another part.
     static constexpr std::array<std::string_view, 3> kDoubtful = {"_col", "_hull", "_physics"};
     const std::string plain = plainName(name);

@@ -4,6 +4,7 @@
 #include "engine/core/name_pattern.h"
 #include "engine/io/pointcloud/files/ply_file.h"
 #include "engine/io/raw_scene/mesh_part_builder.h"
+#include "engine/io/raw_scene/vertex_colors.h"
 #include "engine/scene/srgb.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 
 namespace dollytrack {
@@ -130,6 +132,7 @@ class PlyReader {
         const Result<PlyHeader> header = readPlyHeader(path_, bytes_);
         if (!header) return tl::unexpected(header.error());
         mesh_.texture = header->texture;
+        if (header->by_blender) mesh_.up_axis = 'z';
         numbers_ = PlyNumbers(bytes_.substr(header->size), header->format);
         for (const PlyElement& element : header->elements) {
             if (element.count == 0) continue;
@@ -369,7 +372,12 @@ std::size_t addPlyPart(const PlyMesh& mesh, std::span<const std::size_t> faces,
         return taken;
     };
 
+    const std::vector<Eigen::Vector3f> positions = take(mesh.positions);
+    const std::vector<Eigen::Vector3f> normals = take(mesh.normals);
+    const std::vector<Eigen::Vector3f> uvs = take(mesh.uvs);
+    SourceMesh source{positions, normals, uvs, sizes, indices};
     Material material;
+    std::optional<PaintedMesh> painted;
     if (!mesh.texture.empty() && !mesh.uvs.empty()) {
         if (scene.textures.empty()) {
             scene.textures.emplace_back();
@@ -377,15 +385,18 @@ std::size_t addPlyPart(const PlyMesh& mesh, std::span<const std::size_t> faces,
         }
         material.texture = 0;
         material.base_color.setOnes();
-    } else if (mesh.colors.size() == mesh.positions.size() && !used.empty()) {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const std::uint32_t index : used) {
+    } else if (const std::vector<Eigen::Vector3f> colors = take(mesh.colors); !colors.empty()) {
+        painted = paintVertexColors(source, colors);
+        if (painted) {
+            material.texture = static_cast<int>(scene.textures.size());
+            material.base_color.setOnes();
+            scene.textures.push_back(std::move(painted->texture));
+            source = painted->mesh(sizes);
+        } else if (const Eigen::Vector3f& color = colors.front(); color.allFinite()) {
             for (int i = 0; i < 3; ++i) {
-                sum[i] += static_cast<double>(linearFromSrgb(mesh.colors[index][i]));
+                material.base_color[i] = linearFromSrgb(std::clamp(color[i], 0.0F, 1.0F));
             }
         }
-        const Eigen::Vector3f mean = (sum / static_cast<double>(used.size())).cast<float>();
-        if (mean.allFinite()) material.base_color = mean.cwiseMax(0.0F).cwiseMin(1.0F);
     }
     if (scene.nodes.empty()) scene.nodes.push_back({"", -1, 0});
     MeshPart part;
@@ -394,17 +405,14 @@ std::size_t addPlyPart(const PlyMesh& mesh, std::span<const std::size_t> faces,
     scene.nodes.push_back({name, 0, 0});
     ++scene.nodes.front().children;
     scene.materials.push_back(material);
-    const std::vector<Eigen::Vector3f> positions = take(mesh.positions);
-    const std::vector<Eigen::Vector3f> normals = take(mesh.normals);
-    const std::vector<Eigen::Vector3f> uvs = take(mesh.uvs);
-    scene.repairs.add(buildMeshPart({positions, normals, uvs, sizes, indices},
-                                    Eigen::Affine3d::Identity(), part));
+    scene.repairs.add(buildMeshPart(source, Eigen::Affine3d::Identity(), part));
     scene.parts.push_back(std::move(part));
     return scene.parts.size() - 1;
 }
 
 RawScene sceneOfPly(const PlyMesh& mesh) {
     RawScene scene;
+    scene.file_up_axis = mesh.up_axis;
     std::vector<std::size_t> faces(mesh.face_sizes.size());
     std::iota(faces.begin(), faces.end(), std::size_t{0});
     addPlyPart(mesh, faces, firstIndices(mesh), "", scene);

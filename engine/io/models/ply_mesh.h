@@ -33,6 +33,7 @@ struct PlyMesh {
     bool face_classes_are_nyu40 = false;
     bool position_classes_are_nyu40 = false;
     std::string texture;  // file name; empty: none
+    UpAxis up_axis;       // by the program that wrote the file; unknown for most
     /// Names of other integer properties, such as "segment of faces".
     std::vector<std::string> unread_numbers;
 };
@@ -44,8 +45,8 @@ struct PlyMesh {
 /// The mesh as a scene of one part.
 [[nodiscard]] RawScene sceneOfPly(const PlyMesh& mesh);
 
-/// Adds the faces with these indices as a part under a new node, with the mean of their vertex
-/// colours as its colour. `first_index` is the result of firstIndices(). Returns the part's index.
+/// Adds the faces with these indices as a part under a new node; vertex colours become a texture.
+/// `first_index` is the result of firstIndices(). Returns the part's index.
 std::size_t addPlyPart(const PlyMesh& mesh, std::span<const std::size_t> faces,
                        std::span<const std::size_t> first_index, const std::string& name,
                        RawScene& scene);

@@ -124,13 +124,12 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
     }
     constexpr double kDoubtfulScore = 0.35;
     constexpr double kBelievable = 0.9;  // score from which a file's unit is not questioned
-    constexpr std::array<double, 5> kUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
     double best_unit = 1.0;
     UnitScore best;
     best.score = -1.0;
     const UnitScore in_metres = scoreUnit(evidence, 1.0);
     bool maybe_feet = false;
-    for (const double unit : kUnits) {
+    for (const double unit : kUsualUnits) {
         UnitScore score = scoreUnit(evidence, unit);
         if (unit == 0.0254 || unit == 0.3048) score.score *= 0.8;  // inches and feet are rarer
         // A hall in metres looks like a room in feet; only furniture can distinguish them.

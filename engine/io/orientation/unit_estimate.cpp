@@ -21,7 +21,6 @@ constexpr double kUsualRoomHigh_m = 3.4;
 constexpr double kFactor = 1.6;     // largest deviation of furniture and room sizes from usual ones
 constexpr double kRoomShare = 0.3;  // of the height; the sides of a thick floor are nearer together
 constexpr double kFloorShare = 0.3;  // smallest area of a storey, relative to the largest floor
-constexpr std::array<double, 5> kUsualUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
 
 /// 1 inside the range; outside it, the inverse square of the ratio to the nearer end.
 double believable(double length, double low, double high) {

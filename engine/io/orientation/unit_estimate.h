@@ -3,10 +3,14 @@
 #include "engine/io/orientation/frame_evidence.h"
 #include "engine/math/up_axis.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace dollytrack {
+
+/// Common units of scene files, m.
+inline constexpr std::array<double, 5> kUsualUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
 
 /// Measurements of a scene for estimating its unit, in source units.
 struct UnitEvidence {

@@ -43,6 +43,8 @@ Status takeLine(const std::vector<std::string_view>& words, const std::string& w
         const char* const end = words.back().data() + words.back().size();
         header.texture.assign(words[2].data(), end);
     }
+    // Blender writes PLY files with z up, unless the user chooses otherwise.
+    if (is(0, "comment") && is(1, "Created") && is(3, "Blender")) header.by_blender = true;
     if (words.empty() || is(0, "ply") || is(0, "comment") || is(0, "obj_info")) return {};
     if (is(0, "format") && words.size() >= 2) {
         header.format = words[1];

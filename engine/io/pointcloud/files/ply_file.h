@@ -38,6 +38,7 @@ struct PlyElement {
 struct PlyHeader {
     std::string format;   // "ascii", "binary_little_endian" or "binary_big_endian"
     std::string texture;  // file name in a "comment TextureFile"; empty: none
+    bool by_blender = false;
     std::vector<PlyElement> elements;
     std::size_t size = 0;  // bytes; offset of the data
 };
