@@ -117,16 +117,26 @@ TEST(VertexColors, FacesOfOneColourShareTexels) {
 }
 
 TEST(VertexColors, InvalidIndicesStayInvalid) {
-    Strip strip;
-    strip.face(3);
-    strip.face(3);
-    strip.indices[4] = 77;
-    const std::vector<Eigen::Vector3f> colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1},
-                                                 {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
-    const auto painted = paintVertexColors(strip.mesh(), colors);
-    ASSERT_TRUE(painted);
-    ASSERT_EQ(painted->indices.size(), 6U);
-    EXPECT_GE(painted->indices[4], painted->positions.size());
+    for (const std::uint32_t size : {3U, 4U, 5U}) {
+        Strip strip;
+        std::vector<Eigen::Vector3f> colors;
+        for (std::uint32_t face = 0; face < 2; ++face) {
+            strip.sizes.push_back(size);
+            for (std::uint32_t i = 0; i < size; ++i) {
+                const auto k = static_cast<float>(i);
+                strip.indices.push_back(static_cast<std::uint32_t>(strip.positions.size()));
+                strip.positions.emplace_back(std::cos(k), std::sin(k), 0.0F);
+                colors.emplace_back(0.1F * k, 0.5F, 1.0F - 0.1F * k);
+            }
+        }
+        strip.indices[1] = 77;
+        const auto painted = paintVertexColors(strip.mesh(), colors);
+        ASSERT_TRUE(painted);
+        ASSERT_EQ(painted->indices.size(), 2 * size);
+        for (std::size_t i = 0; i < painted->indices.size(); ++i) {
+            EXPECT_EQ(painted->indices[i] < painted->positions.size(), i != 1);
+        }
+    }
 }
 
 TEST(VertexColors, OfAPlyMeshAreShown) {

@@ -109,7 +109,9 @@ std::optional<Squares> layOut(const SourceMesh& mesh, std::span<const Rgb> color
         if (corners.empty()) corners.push_back({});
         const bool one_color = std::ranges::all_of(
             corners, [&](const Rgb& corner) { return corner == corners.front(); });
-        const bool even = flat || one_color || corners.size() < 3 || corners.size() > 4;
+        // Faces with invalid vertices have one colour, too; they are dropped later.
+        const bool has_square = corners.size() == size && (size == 3 || size == 4);
+        const bool even = flat || one_color || !has_square;
         std::size_t square = squares.texels.size();
         if (even) {
             const Rgb color = meanOf(corners, flat ? 3 : 0);
