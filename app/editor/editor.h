@@ -82,6 +82,8 @@ class Editor {
     void rememberSettings();
     void setTheme();
     void play();
+    /// Whether a dialog is open, which then has the keyboard.
+    [[nodiscard]] bool dialogIsOpen() const;
 
     // editor_commands.cpp
     void addCommands();

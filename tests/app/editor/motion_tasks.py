@@ -205,3 +205,46 @@ class CameraKeys(Task):
         self.editor.click("edits.motion.fit_keys")
         self.editor.wait(lambda now: now["camera_keys"][1]["note"] == "", "the reachable time")
         self.assertAlmostEqual(self.keys()[1][0], late["reached_s"], places=6)
+
+    def test_keys_over_the_viewport_press_no_button_of_a_panel(self):
+        self.record(2)
+        before = self.keys()
+        self.editor.click("tab.by hand")
+        self.editor.click("edits.motion.key.0.go_to")
+        away = self.editor.state()["camera"]
+        self.editor.point("viewport")
+        # To the right of the clicked button is the one that removes the key.
+        for key in ("right", "home", "alt+a"):
+            state = self.editor.key(key)
+            if key == "home":
+                self.assertNotEqual(state["camera"], away, "it shows everything")
+            self.assertTrue(self.editor.key("space")["playing"], key)
+            self.assertFalse(self.editor.key("space")["playing"], key)
+            self.editor.idle()
+            self.assertEqual(self.keys(), before, key)
+        self.assertFalse(self.editor.state()["playing"])
+
+    def test_tab_moves_between_the_widgets_until_the_mouse_is_used(self):
+        self.record(2)
+        before = self.keys()
+        self.editor.click("tab.by hand")
+        self.editor.click("edits.motion.key.0.select")
+        self.editor.key("tab")
+        self.editor.key("esc")
+        # Leaving a field with Escape ends it; the keys are shortcuts again.
+        self.assertTrue(self.editor.key("space")["playing"])
+        self.assertFalse(self.editor.key("space")["playing"])
+        frame = self.editor.state()["frame"]
+        with self.editor.held("ctrl"):
+            self.editor.key("tab")
+        self.editor.key("down")
+        self.editor.key("space")
+        state = self.editor.key("right")
+        self.assertEqual((state["frame"], state["playing"]), (frame, False))
+        left, top = self.editor.item("viewport")[:2]
+        self.editor.point((left + 40, top + 40))
+        self.editor.point((left + 60, top + 60))
+        self.assertTrue(self.editor.key("space")["playing"])
+        self.editor.key("space")
+        self.editor.idle()
+        self.assertEqual(self.keys(), before)
