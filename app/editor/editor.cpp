@@ -113,6 +113,8 @@ void Editor::refreshScene() {
         recorded_key_s_.reset();
         read_motion_ = {};
         repaired_motion_ = {};
+        made_motion_ = {};
+        recorded_key_.reset();
         questions_.forgetProject();
         panels_.export_draft.forgetProject();
         // The autosave copy belongs to the previous project.
