@@ -113,6 +113,8 @@ void Editor::refreshScene() {
         recorded_key_s_.reset();
         read_motion_ = {};
         repaired_motion_ = {};
+        made_motion_ = {};
+        recorded_key_.reset();
         questions_.forgetProject();
         panels_.export_draft.forgetProject();
         // The autosave copy belongs to the previous project.
@@ -173,10 +175,7 @@ bool Editor::frame() {
     dropOutdatedKeySelection();
     // Keys belong to an open menu or popup: Escape closes it (already handled) and must do nothing
     // else.
-    if (!popup_was_open_ && !files_.isOpen() && !panels_.palette.open && !panels_.help.open &&
-        !sheet_.isOpen() && !questions_.waiting()) {
-        runKeys();
-    }
+    if (!popup_was_open_ && !dialogIsOpen()) runKeys();
     drawMenus();
     arrange();
     drawDialogs();
@@ -187,8 +186,14 @@ bool Editor::frame() {
     if (!quitting_) autosave();
     rememberSettings();
     popup_was_open_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    window_.navigation().endFrame(pane_.hovered, dialogIsOpen());
     window_.setTitle(workspace_.title());
     return !quitting_;
+}
+
+bool Editor::dialogIsOpen() const {
+    return files_.isOpen() || panels_.palette.open || panels_.help.open || sheet_.isOpen() ||
+           questions_.waiting();
 }
 
 bool Editor::exportsAtBottom() const {

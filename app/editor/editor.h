@@ -82,6 +82,8 @@ class Editor {
     void rememberSettings();
     void setTheme();
     void play();
+    /// Whether a dialog is open, which then has the keyboard.
+    [[nodiscard]] bool dialogIsOpen() const;
 
     // editor_commands.cpp
     void addCommands();
@@ -214,10 +216,14 @@ class Editor {
 
     // editor_motion.cpp: given camera motions
     void addMotionCommands();
-    [[nodiscard]] ui::MotionView motionView() const;
+    [[nodiscard]] ui::MotionView motionView();
     void follow(const ui::MotionActions& actions);
     void readMotion(const MotionFile& file);
     void takeMotion();
+    /// Makes the move that the form describes; asks first where it would replace keys.
+    void makeMove();
+    /// A move's error with the labels of the widgets concerned.
+    [[nodiscard]] static std::string moveFault(const Error& error);
 
     // editor_keys.cpp: key frames of the camera path
     void addCameraKeyCommands();
@@ -228,13 +234,32 @@ class Editor {
     [[nodiscard]] const std::vector<PassedKey>& passedKeys() const;
     [[nodiscard]] std::string whyNoKey() const;
     void recordKey();
+    /// The selected key, or the one that the playhead is on.
+    [[nodiscard]] std::optional<std::size_t> keyToReplace() const;
+    [[nodiscard]] std::string whyNoReplacing() const;
+    void replaceKey();
     /// Moves the playhead to a recorded key as soon as a plan passes it.
     void goToRecordedKey();
     void moveSelectedKey(const Pose& pose);
     /// Drops the selection of a key when keys were added or removed: its index means another one.
     void dropOutdatedKeySelection();
-    void fitKeys();
-    [[nodiscard]] std::vector<ui::TimelineCameraKey> timelineCameraKeys() const;
+    /// Notes the key at this time as the one recorded last; a bar warns if the camera cannot be
+    /// there.
+    void noteRecordedKey(double time_s);
+    void drawKeyBar();
+    struct KeyStates {  // of the keys of a motion, in a map
+        SharedMotion motion;
+        std::shared_ptr<const planning::FreeSpace> free_space;
+        std::shared_ptr<const planning::AllowedRegion> region;
+        std::vector<ui::KeyState> keys;
+    };
+    /// Whether the camera can be at the keys, known at once, before they are planned.
+    const KeyStates& keyStates();
+    /// Moves a key to the nearest place where the camera can be.
+    void freeKey(std::size_t key);
+    /// Goes to the next (1) or the previous (-1) collision of the camera path.
+    void goToCollision(int direction);
+    [[nodiscard]] std::vector<ui::TimelineCameraKey> timelineCameraKeys();
     void follow(const ui::TimelineActions& actions);
 
     // editor_comparison.cpp: the kept plan, and the quality of the frames
@@ -358,7 +383,15 @@ class Editor {
     SharedMotion repaired_motion_;          // result of the last repair
     std::string motion_change_;             // what that changed
     std::optional<double> recorded_key_s_;  // time of a key that the playhead shall move to
+    SharedMotion made_motion_;              // result of the last camera move
+    std::string move_note_;                 // what obstacles changed of it
     std::size_t key_count_ = 0;             // in the previous window frame
+    struct RecordedKey {
+        SharedMotion motion;
+        std::size_t key = 0;
+    };
+    std::optional<RecordedKey> recorded_key_;  // latest key recorded, while nothing else changed
+    KeyStates key_states_;
     PlanTimeline plan_timeline_;
     RenderSceneSync scene_sync_;
     ParameterDraft parameters_;

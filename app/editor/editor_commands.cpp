@@ -285,6 +285,21 @@ void Editor::addTimelineCommands() {
         if (const auto key = ui::neighbourKey(plan_timeline_.keys(), playback_.frame(), -1))
             goToFrame(*key);
     });
+    const auto needs_collision = [this]() -> std::string {
+        return plan_timeline_.collisions().empty() ? "The camera path has no collision." : "";
+    };
+    commands_.add({"timeline.next_collision",
+                   "Timeline",
+                   "Next collision",
+                   {GLFW_KEY_RIGHT, true},
+                   [this] { goToCollision(1); },
+                   needs_collision});
+    commands_.add({"timeline.previous_collision",
+                   "Timeline",
+                   "Previous collision",
+                   {GLFW_KEY_LEFT, true},
+                   [this] { goToCollision(-1); },
+                   needs_collision});
     add("first", "First frame", {GLFW_KEY_HOME, true}, [this] { goToFrame(0); });
     add("last", "Last frame", {GLFW_KEY_END, true}, [this] { goToFrame(frameCount() - 1); });
 }

@@ -1,10 +1,18 @@
 #include "app/editor/editor.h"
 
 #include "app/editor/timeline/key_placement.h"
-#include "planning/motions/key_motion.h"
+#include "engine/geometry/ray_caster.h"
+#include "planning/baselines/baseline_scene.h"
+#include "planning/collision/allowed_region.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/motions/colliding_frames.h"
+#include "planning/motions/motion_check.h"
 #include "ui/panels/edits/edit_parts.h"
+#include "ui/widgets/note_bar.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -37,6 +45,12 @@ void Editor::addCameraKeyCommands() {
                    {GLFW_KEY_K},
                    [this] { recordKey(); },
                    [this] { return whyNoKey(); }});
+    commands_.add({"edit.replace_camera_key",
+                   "Edit",
+                   "Replace the selected key by this view",
+                   {GLFW_KEY_K, false, true},
+                   [this] { replaceKey(); },
+                   [this] { return whyNoReplacing(); }});
     commands_.add({"timeline.look_through_key",
                    "Timeline",
                    "Look through the selected key",
@@ -45,14 +59,28 @@ void Editor::addCameraKeyCommands() {
                    [this]() -> std::string {
                        return selectedKey() != nullptr ? "" : "Select a key of the camera path.";
                    }});
-    commands_.add({"edit.fit_keys",
-                   "Edit",
-                   "Give all keys their reachable times",
-                   {},
-                   [this] { fitKeys(); },
-                   [this]() -> std::string {
-                       return passedKeys().empty() ? "There is no camera path with keys." : "";
-                   }});
+    commands_.add(
+        {"edit.fit_keys",
+         "Edit",
+         "Give all keys their reachable times",
+         {},
+         [this] { motions_.fitKeys(workspace_.state().edits.plan.motion, workspace_.shown()); },
+         [this]() -> std::string {
+             return passedKeys().empty() ? "There is no camera path with keys." : "";
+         }});
+}
+
+void Editor::goToCollision(int direction) {
+    const std::vector<int>& begins = plan_timeline_.collisions();
+    if (begins.empty()) return;
+    // After the last one the first follows.
+    if (direction > 0) {
+        const auto next = std::ranges::upper_bound(begins, playback_.frame());
+        goToFrame(next == begins.end() ? begins.front() : *next);
+    } else {
+        const auto next = std::ranges::lower_bound(begins, playback_.frame());
+        goToFrame(next == begins.begin() ? begins.back() : *(next - 1));
+    }
 }
 
 const std::vector<MotionKey>& Editor::cameraKeys() const {
@@ -87,18 +115,46 @@ std::string Editor::whyNoKey() const {
 
 void Editor::recordKey() {
     const Pose view = viewportView(panels_.viewport.camera).pose;
-    const int selected = selectedKey() != nullptr ? selected_.now().index : -1;
-    const Plan* of_keys = passedKeys().empty() ? nullptr : plan();
-    const KeyPlacement place = placeKey(cameraKeys(), of_keys, playback_.frame(), selected, view,
-                                        workspace_.shown().params.timing);
-    if (place.replaces) {
-        apply(changeOperation(*place.replaces, view));
-        return;
+    const std::vector<MotionKey>& keys = cameraKeys();
+    int after = selectedKey() != nullptr ? selected_.now().index : -1;
+    if (after < 0 && recorded_key_s_) {  // the playhead does not stand at the latest key yet
+        const auto latest = std::ranges::find(keys, *recorded_key_s_, &MotionKey::time_s);
+        if (latest != keys.end()) after = static_cast<int>(latest - keys.begin());
     }
+    const Plan* of_keys = passedKeys().empty() ? nullptr : plan();
     nlohmann::json operation = poseOperation("add_camera_key", view);
-    operation["time_s"] = place.time_s;
+    const double time_s = timeOfNewKey(keys, of_keys, playback_.frame(), after, view,
+                                       workspace_.shown().params.timing);
+    operation["time_s"] = time_s;
     apply(operation);
-    recorded_key_s_ = place.time_s;
+    recorded_key_s_ = time_s;
+    noteRecordedKey(time_s);
+}
+
+void Editor::noteRecordedKey(double time_s) {
+    const auto& now = cameraKeys();
+    const auto at = std::ranges::find(now, time_s, &MotionKey::time_s);
+    if (at == now.end()) return;
+    recorded_key_ = {workspace_.state().edits.plan.motion,
+                     static_cast<std::size_t>(at - now.begin())};
+}
+
+std::optional<std::size_t> Editor::keyToReplace() const {
+    if (selectedKey() != nullptr) return selected_.index();
+    return keyAtPlayhead(cameraKeys(), passedKeys().empty() ? nullptr : plan(), playback_.frame());
+}
+
+std::string Editor::whyNoReplacing() const {
+    if (std::string why = whyNoKey(); !why.empty()) return why;
+    return keyToReplace() ? "" : "Select a key of the camera path.";
+}
+
+void Editor::replaceKey() {
+    if (const std::optional<std::size_t> key = keyToReplace()) {
+        const double time_s = cameraKeys()[*key].time_s;
+        apply(changeOperation(*key, viewportView(panels_.viewport.camera).pose));
+        noteRecordedKey(time_s);
+    }
 }
 
 void Editor::moveSelectedKey(const Pose& pose) {
@@ -126,22 +182,81 @@ void Editor::goToRecordedKey() {
     goToFrame(passedKeys()[static_cast<std::size_t>(at - keys.begin())].frame);
 }
 
-void Editor::fitKeys() {
-    GivenMotion motion = *workspace_.state().edits.plan.motion;
-    motion.keys = planning::withReachedTimes(std::move(motion.keys), passedKeys(),
-                                             1.0 / workspace_.shown().params.timing.frame_rate);
-    nlohmann::json operation = motionJson(motion);
-    operation["op"] = "set_motion";
-    apply(operation);
+const Editor::KeyStates& Editor::keyStates() {
+    const PlanOutcome& shown = workspace_.shown();
+    const SharedMotion motion =
+        workspace_.isOpen() ? workspace_.state().edits.plan.motion : SharedMotion();
+    if (key_states_.motion == motion && key_states_.region == shown.region &&
+        key_states_.free_space == shown.free_space) {
+        return key_states_;
+    }
+    key_states_ = {motion, shown.free_space, shown.region, {}};
+    if (!motion || !shown.free_space || !shown.rays) return key_states_;
+    const planning::SweptSphere sphere(*shown.rays, *shown.free_space,
+                                       shown.params.camera.camera_radius_m, shown.region.get());
+    planning::BaselineScene scene;
+    scene.scene = shown.scene;
+    scene.rays = shown.rays;
+    scene.free_space = shown.free_space;
+    scene.region = shown.region;
+    scene.sphere = std::shared_ptr<const planning::SweptSphere>(std::shared_ptr<void>(), &sphere);
+    const planning::MotionCheck check(scene);
+    for (const MotionKey& key : motion->keys) {
+        ui::KeyState& state = key_states_.keys.emplace_back();
+        if (check.isFree(key.pose.position)) continue;
+        state.why_blocked = planning::whyNotFree(scene, key.pose.position);
+        state.free_place = planning::nearestFree(scene, key.pose.position);
+    }
+    return key_states_;
 }
 
-std::vector<ui::TimelineCameraKey> Editor::timelineCameraKeys() const {
+void Editor::freeKey(std::size_t key) {
+    const auto& states = keyStates().keys;
+    if (key >= states.size() || !states[key].free_place) return;
+    apply({{"op", "change_camera_key"},
+           {"key", key + 1},
+           {"position", ui::pointJson(*states[key].free_place)}});
+}
+
+void Editor::drawKeyBar() {
+    if (!recorded_key_ || !workspace_.isOpen() ||
+        !(workspace_.state().edits.plan.motion == recorded_key_->motion)) {
+        recorded_key_.reset();
+        return;
+    }
+    const std::size_t key = recorded_key_->key;
+    const auto& states = keyStates().keys;
+    if (key >= states.size() || states[key].why_blocked.empty()) return;
+    std::vector<ui::NoteBarButton> buttons = {{"Keep", "Hide this line; the key stays marked"},
+                                              {"Remove", "Remove the key again"}};
+    if (const auto& free_place = states[key].free_place) {
+        const double away_m = (*free_place - cameraKeys()[key].pose.position).norm();
+        buttons.push_back({fmt::format("Move it by {:.2f} m", away_m),
+                           "Move the key to the nearest place where the camera fits"});
+    }
+    const int pressed = ui::drawNoteBar(
+        "key_blocked",
+        fmt::format("Key {} {}: the camera cannot be there.", key + 1, states[key].why_blocked),
+        buttons);
+    if (pressed < 0) return;
+    recorded_key_.reset();
+    if (pressed == 1) apply(ui::removeCameraKeyOperation(key));
+    if (pressed == 2) freeKey(key);
+}
+
+std::vector<ui::TimelineCameraKey> Editor::timelineCameraKeys() {
     std::vector<ui::TimelineCameraKey> shown;
     for (const MotionKey& key : cameraKeys()) shown.push_back({key.time_s, key.time_s, {}});
     const std::vector<PassedKey>& passed = passedKeys();
     for (std::size_t i = 0; i < std::min(passed.size(), shown.size()); ++i) {
         shown[i].reached_s = passed[i].time_s;
         shown[i].note = passed[i].note;
+    }
+    // A blocked key is marked at once.
+    const std::vector<ui::KeyState>& states = keyStates().keys;
+    for (std::size_t i = 0; i < std::min(states.size(), shown.size()); ++i) {
+        if (!shown[i].note.empty() || states[i].why_blocked.empty()) continue;
+        shown[i].note = fmt::format("Key {} {}.", i + 1, states[i].why_blocked);
     }
     return shown;
 }

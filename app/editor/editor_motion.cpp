@@ -36,6 +36,19 @@ std::string changeText(const planning::MotionChange& change) {
 }  // namespace
 
 void Editor::addMotionCommands() {
+    for (const planning::MoveKind& kind : planning::moveKinds()) {
+        commands_.add({fmt::format("edit.move.{}", kind.name),
+                       "Edit",
+                       fmt::format("Camera move: {}\u2026", kind.name),
+                       {},
+                       [this, name = std::string(kind.name)] {
+                           panels_.move.kind = name;
+                           docks_.open(panelName(Panel::ByHand));
+                       },
+                       [this]() -> std::string {
+                           return workspace_.shown().scene ? "" : "No scene is open.";
+                       }});
+    }
     const auto needs_plan = [this]() -> std::string {
         if (!workspace_.shown().scene) return "No scene is open.";
         return motions_.state().busy ? "A camera path is being read or made." : "";
@@ -65,7 +78,7 @@ void Editor::addMotionCommands() {
                    needs_motion});
 }
 
-ui::MotionView Editor::motionView() const {
+ui::MotionView Editor::motionView() {
     ui::MotionView view;
     if (!workspace_.isOpen()) return view;
     const PlanOutcome& shown = workspace_.shown();
@@ -74,10 +87,18 @@ ui::MotionView Editor::motionView() const {
     if (workspace_.planIsCurrent()) view.plan = shown.plan.get();
     view.plan_error = workspace_.planError();
     view.has_scene = shown.scene != nullptr;
-    view.has_object = view.has_scene && selected_.objects().size() == 1;
+    view.move.why_not = view.has_scene ? "" : "No scene is open.";
+    if (view.has_scene && selected_.objects().size() == 1) {
+        view.move.target = shown.scene->object(selected_.objects().front()).name;
+    }
+    view.move.eye = viewportView(panels_.viewport.camera).pose.position;
+    view.move.pivot = panels_.viewport.camera.pivot;
+    view.key_states = keyStates().keys;
     if (selectedKey() != nullptr) view.selected_key = selected_.now().index;
     view.why_no_key = whyNoKey();
+    view.why_no_replacing = whyNoReplacing();
     if (motion && motion == repaired_motion_) view.change = motion_change_;
+    if (motion && motion == made_motion_) view.change = move_note_;
     view.can_read_again = motion && motion == read_motion_;
     const auto worlds = ui::motionWorlds();
     view.world = static_cast<int>(std::ranges::find(worlds, motion_file_.world) - worlds.begin());
@@ -95,7 +116,11 @@ void Editor::follow(const ui::MotionActions& actions) {
         motions_.repair(workspace_.state().edits.plan.motion, workspace_.shown());
     }
     if (actions.add_key) recordKey();
-    if (actions.fit_keys) fitKeys();
+    if (actions.replace_key) replaceKey();
+    if (actions.fit_keys)
+        motions_.fitKeys(workspace_.state().edits.plan.motion, workspace_.shown());
+    if (actions.free_key) freeKey(*actions.free_key);
+    if (actions.collision != 0) goToCollision(actions.collision);
     if (actions.select_key >= 0) {
         select(ui::Selection::ofItem(ui::Selection::Kind::CameraKey, actions.select_key));
     }
@@ -105,18 +130,58 @@ void Editor::follow(const ui::MotionActions& actions) {
         const auto world = static_cast<std::size_t>(actions.read_in_world);
         readMotion({motion_file_.path, ui::motionWorlds()[world]});
     }
-    if (!actions.make.empty()) {
-        planning::MoveRequest move;
-        move.kind = actions.make;
-        if (selected_.objects().size() == 1) move.object_id = selected_.objects().front();
-        motions_.make(move, workspace_.shown());
-    }
+    if (actions.make) makeMove();
 }
 
 void Editor::readMotion(const MotionFile& file) {
     if (!workspace_.shown().scene) return;  // closed while the file was chosen
     docks_.open(panelName(Panel::ByHand));
-    motions_.read(file, workspace_.shown());
+    const auto read = [this, file] { motions_.read(file, workspace_.shown()); };
+    if (cameraKeys().empty()) return read();
+    questions_.ask({"Replace the key frames?",
+                    fmt::format("The camera path has {} key frames. Undo brings them back.",
+                                cameraKeys().size()),
+                    {{"Replace", read}}});
+}
+
+void Editor::makeMove() {
+    planning::MoveRequest move = panels_.move.request();
+    // A point that is set to look at takes precedence over the selection.
+    if (selected_.objects().size() == 1 && !move.options.contains("center")) {
+        move.object_id = selected_.objects().front();
+    }
+    const auto make = [this, move](const SharedMotion& after) {
+        motions_.make(move, after, workspace_.shown());
+    };
+    const SharedMotion& motion = workspace_.state().edits.plan.motion;
+    const std::string title = "Replace the camera path?";
+    if (!cameraKeys().empty()) {
+        questions_.ask(
+            {title,
+             fmt::format("It has {} key frames. The move can follow them, as keys a second apart, "
+                         "or replace them.",
+                         cameraKeys().size()),
+             {{"Append", [make, motion] { make(motion); }}, {"Replace", [make] { make({}); }}}});
+    } else if (motion && motion == read_motion_) {
+        questions_.ask({title,
+                        fmt::format("The move replaces the imported path {}. Undo brings it back.",
+                                    motion->name),
+                        {{"Replace", [make] { make({}); }}}});
+    } else {
+        make({});
+    }
+}
+
+std::string Editor::moveFault(const Error& error) {
+    // The settings' names are those of the command line; the window has labels.
+    std::string labels;
+    std::string rest = error.where;
+    while (!rest.empty()) {
+        const std::size_t cut = rest.find(", ");
+        labels += (labels.empty() ? "" : ", ") + planning::settingLabel(rest.substr(0, cut));
+        rest = cut == std::string::npos ? "" : rest.substr(cut + 2);
+    }
+    return labels.empty() ? error.message : labels + ": " + error.message;
 }
 
 void Editor::takeMotion() {
@@ -125,7 +190,11 @@ void Editor::takeMotion() {
     if (!*outcome) {
         const Error& error = outcome->error();
         if (error.code == ErrorCode::Cancelled) return;
-        questions_.tell({true, "The camera path was not changed", describe(error), {}});
+        const bool of_move = motions_.source() == MotionWorker::Source::Move;
+        questions_.tell({true,
+                         "The camera path was not changed",
+                         of_move ? moveFault(error) : describe(error),
+                         {}});
         return;
     }
     const bool was_read = workspace_.state().edits.plan.motion == read_motion_;
@@ -139,6 +208,10 @@ void Editor::takeMotion() {
     const bool repaired = source == MotionWorker::Source::Repair;
     if (source == MotionWorker::Source::File) motion_file_ = (*outcome)->file;
     if (source == MotionWorker::Source::File || (repaired && was_read)) read_motion_ = motion;
+    if (source == MotionWorker::Source::Move) {
+        made_motion_ = motion;
+        move_note_ = (*outcome)->note;
+    }
     if (!repaired) return;
     repaired_motion_ = motion;
     motion_change_ = changeText((*outcome)->change);

@@ -130,7 +130,7 @@ void Editor::drawEdits() {
     view.new_box = boxInView();
     view.around_selection = boxAroundSelection();
     view.motion = motionView();
-    const ui::EditsActions actions = ui::drawEditsPanel(view);
+    const ui::EditsActions actions = ui::drawEditsPanel(view, panels_.move);
     applyRequest(actions.edit);
     follow(actions.motion);
     if (actions.select) select(*actions.select);

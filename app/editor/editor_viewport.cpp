@@ -366,6 +366,7 @@ void Editor::drawImportBar() {
 
 void Editor::drawBars() {
     drawImportBar();
+    drawKeyBar();
     if (!workspace_.fileChanged()) return;
     const std::filesystem::path file = workspace_.path();
     const int pressed = ui::drawNoteBar(

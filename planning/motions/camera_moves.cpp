@@ -4,19 +4,17 @@
 #include "engine/document/target_filter.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/motions/motion_check.h"
 #include "planning/motions/object_moves.h"
 #include "planning/motions/time_path.h"
 #include "planning/rooms/room_plan.h"
 #include "planning/timing/motion_limits.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -27,86 +25,25 @@ namespace {
 using Eigen::Vector3d;
 using Positions = std::vector<Vector3d>;
 
-struct MoveKind {
-    std::string_view name;
-    std::string_view text;
-    std::vector<std::string> options;
-};
-
-const std::array<MoveKind, 5>& kinds() {
-    static const std::array<MoveKind, 5> kKinds = {{
-        {"orbit",
-         "around an object, as far as there is room; radius in m, height in m above the floor, arc "
-         "in degrees, time in s",
-         {"target", "radius", "height", "arc", "time"}},
-        {"arc",
-         "a quarter of an orbit (90 degrees by default)",
-         {"target", "radius", "height", "arc", "time"}},
-        {"dolly",
-         "straight towards an object, by distance in m, or between two points x;y;z",
-         {"target", "from", "to", "distance", "time"}},
-        {"crane",
-         "straight up or down beside an object, between two heights in m above the floor",
-         {"target", "radius", "from_height", "to_height", "time"}},
-        {"walk",
-         "looking along the motion, through the doorways of all rooms or between two points x;y;z; "
-         "height in m above the floor",
-         {"from", "to", "height", "time"}},
-    }};
-    return kKinds;
-}
-
 constexpr double kFill = 0.5;         // share of the image's width or height that an object takes
 constexpr double kDollyStart = 0.25;  // the same where a dolly starts
 constexpr double kWalkHeight = 1.5;   // above the floor, m
+constexpr double kRoomMiddle = 1.2;   // height of the point that a move in a room looks at, m
+constexpr double kRoomShare = 0.35;   // radius of an orbit in a room, of the room's width
+constexpr double kFull = 0.85;        // share of the image that an orbited object takes at most
+constexpr double kSameRadius = 0.95;  // a share of a radius that is not called smaller
+constexpr double kSameHeight = 0.02;  // a difference in height that is not mentioned, m
+constexpr double kWholeArc = 0.97;    // a share of an arc that is not called shorter
 constexpr double kLookAhead = 0.6;    // of a walk: the camera looks at a point this far along it, m
 constexpr double kPositionsFound = 0.2;  // progress when the positions of a move are known
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-Result<std::optional<double>> numberOf(const MoveRequest& request, const std::string& name) {
-    const auto found = request.options.find(name);
-    if (found == request.options.end()) return std::optional<double>{};
-    double value = 0.0;
-    const std::string& text = found->second;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(value) < 1e4)) {
-        return fail(ErrorCode::Usage, fmt::format("'{}' is not a number below 10000.", text), name);
-    }
-    return std::optional<double>{value};
-}
-
-Result<std::optional<Vector3d>> pointOf(const MoveRequest& request, const std::string& name) {
-    const auto found = request.options.find(name);
-    if (found == request.options.end()) return std::optional<Vector3d>{};
-    MoveRequest parts;
-    std::string rest = found->second + ";";
-    Vector3d point;
-    for (int i = 0; i < 3; ++i) {
-        const std::size_t cut = rest.find(';');
-        if (cut == std::string::npos) {
-            return fail(ErrorCode::Usage,
-                        fmt::format("'{}' is not a point; write x;y;z.", found->second), name);
-        }
-        parts.options[name] = rest.substr(0, cut);
-        rest = rest.substr(cut + 1);
-        const auto value = numberOf(parts, name);
-        if (!value) return tl::unexpected(value.error());
-        point[i] = **value;
-    }
-    if (!rest.empty()) {
-        return fail(ErrorCode::Usage,
-                    fmt::format("'{}' is not a point; write x;y;z.", found->second), name);
-    }
-    return std::optional<Vector3d>{point};
-}
-
-/// The object that the move is about: that of `object_id`, else the largest one that the option
-/// `target` names.
+/// The object that the move is about: the largest one that the option `target` names, else that of
+/// `object_id`; null: none is named.
 Result<const Object*> targetOf(const Scene& scene, const MoveRequest& request) {
-    if (request.object_id) return &scene.object(*request.object_id);
     const auto named = request.options.find("target");
     if (named == request.options.end()) {
-        return fail(ErrorCode::Usage, "The move needs the object that it looks at.", "target");
+        return request.object_id ? &scene.object(*request.object_id) : nullptr;
     }
     const Object* largest = nullptr;
     std::vector<std::string> names;
@@ -165,20 +102,6 @@ void visitRooms(const RoomPlan& plan, std::size_t room, double z, std::vector<ch
     }
 }
 
-/// The free position of the camera that is nearest to a wish, in the largest room.
-Vector3d nearestFree(const BaselineScene& scene, const Vector3d& wish) {
-    Vector3d nearest = wish;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3f& cell : scene.sphere->cells(0)) {
-        const Vector3d place = cell.cast<double>();
-        const double distance = (place - wish).squaredNorm();
-        if (distance >= least || !scene.sphere->fits(place)) continue;
-        least = distance;
-        nearest = place;
-    }
-    return nearest;
-}
-
 /// Points at most kMoveSpacing apart along the polyline.
 Positions divided(const Positions& corners) {
     Positions points = {corners.front()};
@@ -211,6 +134,30 @@ void lookAhead(Trajectory& trajectory) {
     }
 }
 
+/// What an orbit needs: how far and how high.
+struct OrbitShape {
+    double radius_m = 0.0;
+    double z = 0.0;
+    double cost = 0.0;  // 0..1, for differing from what was asked for
+};
+
+/// The shapes to try, the nearest to the given one first. No radius is below `least_m`, at which
+/// the object fills the image, unless the given one is.
+std::vector<OrbitShape> orbitShapes(double radius_m, double z, double least_m) {
+    constexpr std::array kRadii = {1.0, 0.8, 0.6, 0.4, 0.25};
+    constexpr std::array kHeights_m = {0.0, 0.3, 0.6, -0.3, 1.0, -0.6};
+    std::vector<OrbitShape> shapes;
+    for (const double factor : kRadii) {
+        if (factor < 1.0 && factor * radius_m < least_m) break;
+        for (const double higher : kHeights_m) {
+            const double cost = 0.5 * (1.0 - factor) + 0.2 * std::abs(higher);
+            shapes.push_back({factor * radius_m, z + higher, cost});
+        }
+    }
+    std::ranges::stable_sort(shapes, {}, &OrbitShape::cost);
+    return shapes;
+}
+
 class MoveMaker {
   public:
     MoveMaker(const BaselineScene& scene, const PlanParams& params, const MoveRequest& request,
@@ -222,132 +169,215 @@ class MoveMaker {
         floor_ = scene.scene->room_bounds.min().z();
     }
 
-    Result<RepairedMotion> make() {
-        for (const char* name :
-             {"radius", "height", "arc", "time", "distance", "from_height", "to_height"}) {
-            const auto value = numberOf(request_, name);
-            if (!value) return tl::unexpected(value.error());
-            if (*value && **value <= 0.0) {
-                return fail(ErrorCode::Usage, "The value must be above 0.", name);
-            }
-            if (*value) numbers_[name] = **value;
-        }
-        const auto from = pointOf(request_, "from");
-        const auto to = pointOf(request_, "to");
-        if (!from) return tl::unexpected(from.error());
-        if (!to) return tl::unexpected(to.error());
-        if (from->has_value() != to->has_value()) {
+    Result<CameraMove> make() {
+        auto values = readMove(request_);
+        if (!values) return tl::unexpected(std::move(values.error()));
+        values_ = std::move(*values);
+        const auto from = values_.point("from");
+        const auto to = values_.point("to");
+        if (from.has_value() != to.has_value()) {
             return fail(ErrorCode::Usage, "A move between two points needs both.", "from, to");
         }
-        if (*from && (**to - **from).norm() < kMoveSpacing) {
+        if (from && (*to - *from).norm() < kMoveSpacing) {
             return fail(ErrorCode::Usage, "The two points are the same.", "from, to");
         }
-        if (request_.kind == "walk") return walk(*from, *to);
+        if (request_.kind == "walk") return walk(from, to);
         std::optional<Vector3d> look_at;
         Positions positions;
-        if (*from) {
-            positions = divided({**from, **to});
-            look_at = **to + (**to - **from).normalized();
+        if (from) {
+            positions = divided({*from, *to});
+            look_at = *to + (*to - *from).normalized();
         }
-        if (!*from || request_.options.contains("target")) {
-            const auto target = targetOf(*scene_.scene, request_);
-            if (!target) return tl::unexpected(target.error());
-            const ObjectMoves moves(scene_, **target);
-            look_at = moves.center();
-            if (!*from) positions = around(moves);
+        const bool names_one =
+            request_.options.contains("target") || values_.point("center").has_value();
+        if (!from || names_one) {
+            const auto moves = subject();
+            if (!moves) return tl::unexpected(moves.error());
+            look_at = moves->center();
+            if (!from) positions = around(*moves);
             if (job_.cancelled()) return cancelled();
             if (positions.empty()) {
                 return fail(ErrorCode::BadInput,
-                            fmt::format("There is no free space for this move around '{}'; choose "
+                            fmt::format("There is no free space for this move around {}; choose "
                                         "another radius, height or object.",
-                                        (*target)->name),
+                                        subject_name_),
                             request_.kind);
             }
         }
         timing_.look_at = look_at;
-        return repairAndTime(scene_, timing_, trajectoryThrough(positions, number("time", 0.0)),
-                             job_.stage(kPositionsFound, 1.0, request_.kind));
+        return finished(repairAndTime(scene_, timing_,
+                                      trajectoryThrough(positions, values_.number("time", 0.0)),
+                                      job_.stage(kPositionsFound, 1.0, request_.kind)));
     }
 
   private:
-    [[nodiscard]] double number(const std::string& name, double otherwise) const {
-        const auto found = numbers_.find(name);
-        return found == numbers_.end() ? otherwise : found->second;
+    /// What the move is about: an object, a point, or the middle of the largest room.
+    [[nodiscard]] Result<ObjectMoves> subject() {
+        const auto target = targetOf(*scene_.scene, request_);
+        if (!target) return tl::unexpected(target.error());
+        const auto center = values_.point("center");
+        if (center && request_.options.contains("target")) {
+            return fail(ErrorCode::Usage, "Give an object or a point to look at, not both.",
+                        "target, center");
+        }
+        if (*target && !center) {
+            subject_name_ = "'" + (*target)->name + "'";
+            return ObjectMoves(scene_, **target);
+        }
+        subject_name_ = center ? "this point" : "the middle of the room";
+        const RoomPlan plan(*scene_.scene, *scene_.rays, *scene_.free_space,
+                            scene_.sphere->radius());
+        const auto room = center ? static_cast<std::size_t>(plan.roomAt(*center)) : 0;
+        const Eigen::AlignedBox3d box =
+            plan.rooms().empty() ? scene_.free_space->rooms().front().box : plan.rooms()[room].box;
+        const double reach = std::max(0.4, kRoomShare * box.sizes().head<2>().minCoeff());
+        Vector3d middle = box.center();
+        middle.z() = floor_ + kRoomMiddle;
+        return ObjectMoves(scene_, center.value_or(middle), reach);
     }
 
     /// A given height above the floor as z in the world.
     [[nodiscard]] double heightOr(const std::string& name, double z) const {
-        return numbers_.contains(name) ? floor_ + number(name, 0.0) : z;
+        return values_.has(name) ? floor_ + values_.number(name, 0.0) : z;
     }
 
-    [[nodiscard]] Positions around(const ObjectMoves& moves) const {
+    [[nodiscard]] Positions around(const ObjectMoves& moves) {
         const double near = moves.distanceFor(kFill);
-        const double radius = number("radius", near);
-        const double level = moves.center().z() + 0.25 * radius;
+        const double radius = values_.number("radius", near);
         if (request_.kind == "dolly") {
             const double start = std::max(near + 0.2, moves.distanceFor(kDollyStart));
             const double first =
-                numbers_.contains("distance") ? near + number("distance", 0.0) : start;
-            for (const double share : {1.0, 0.75, 0.5, 0.35}) {
+                values_.has("distance") ? near + values_.number("distance", 0.0) : start;
+            return straightAround(moves, near, first, moves.center().z() + 0.25 * near);
+        }
+        if (request_.kind == "crane") return craneBeside(moves, radius);
+        return orbitAround(moves, radius, heightOr("height", moves.center().z() + 0.25 * radius));
+    }
+
+    [[nodiscard]] static Positions straightAround(const ObjectMoves& moves, double near,
+                                                  double first, double level) {
+        for (const double share : {1.0, 0.75, 0.5, 0.35}) {
+            for (const double higher : {0.0, 0.4, 0.8}) {
                 const double from = near + share * (first - near);
-                const double z = moves.center().z() + 0.25 * near;
+                const double z = level + higher;
                 const Positions ends = moves.straight(from, z, near, z);
                 if (!ends.empty()) return divided(ends);
             }
-            return {};
         }
-        if (request_.kind == "crane") {
-            const double low = heightOr("from_height", floor_ + 0.5);
-            const double high = heightOr("to_height", floor_ + 2.0);
+        return {};
+    }
+
+    [[nodiscard]] Positions craneBeside(const ObjectMoves& moves, double radius) const {
+        const double low = heightOr("from_height", floor_ + 0.5);
+        const double high = heightOr("to_height", floor_ + 2.0);
+        for (const double share : {1.0, 0.8, 0.6, 0.4}) {  // of the way, from its end backwards
             for (const double factor : kDistanceFactors) {
-                const Positions ends = moves.straight(factor * radius, low, factor * radius, high);
+                const double from = high + share * (low - high);
+                const Positions ends = moves.straight(factor * radius, from, factor * radius, high);
                 if (!ends.empty()) return divided(ends);
             }
-            return {};
         }
-        return moves.orbit(radius, heightOr("height", level),
-                           kRadians * number("arc", request_.kind == "arc" ? 90.0 : 360.0),
-                           job_.stage(0.0, kPositionsFound, request_.kind));
+        return {};
+    }
+
+    /// The longest orbit of the shapes near the one asked for; a long one of a smaller radius or
+    /// another height is better than a short one.
+    [[nodiscard]] Positions orbitAround(const ObjectMoves& moves, double radius, double z) {
+        const double arc_deg = values_.number("arc", request_.kind == "arc" ? 90.0 : 360.0);
+        const std::vector<OrbitShape> shapes = orbitShapes(radius, z, moves.distanceFor(kFull));
+        Orbit best;
+        double best_score = -1.0;
+        for (std::size_t i = 0; i < shapes.size() && best_score < 1.0 - shapes[i].cost; ++i) {
+            const double part = kPositionsFound / static_cast<double>(shapes.size());
+            const double before = part * static_cast<double>(i);
+            Orbit orbit = moves.orbit(shapes[i].radius_m, shapes[i].z, arc_deg * kRadians,
+                                      job_.stage(before, before + part, request_.kind));
+            if (job_.cancelled()) return {};
+            const double score = orbit.share - shapes[i].cost;
+            if (orbit.positions.empty() || score <= best_score) continue;
+            best_score = score;
+            best = std::move(orbit);
+        }
+        if (best.positions.empty()) return {};
+        std::string changes;
+        double nearest = radius;
+        for (const Vector3d& position : best.positions) {
+            const double here = (position - moves.center()).head<2>().norm();
+            nearest = std::min(nearest, here);
+        }
+        if (nearest < kSameRadius * radius) {
+            changes += fmt::format(" a radius down to {:.2f} m,", nearest);
+        }
+        const double reached_z = best.positions.front().z();
+        if (std::abs(reached_z - z) > kSameHeight) {
+            changes += fmt::format(" a height of {:.2f} m,", reached_z - floor_);
+        }
+        if (best.share < kWholeArc) {
+            changes += fmt::format(" an arc of {:.0f}\u00b0,", best.share * arc_deg);
+        }
+        if (!changes.empty()) {
+            changes.pop_back();
+            note_ = "Obstacles and limits leave the camera" + changes + ".";
+        }
+        return std::move(best.positions);
+    }
+
+    /// The ends of the only room, or the rooms in the order of their doorways.
+    [[nodiscard]] Positions walkedRooms(double z) const {
+        Positions corners;
+        const RoomPlan plan(*scene_.scene, *scene_.rays, *scene_.free_space,
+                            scene_.sphere->radius());
+        if (plan.rooms().empty()) return {};
+        std::vector<char> visited(plan.rooms().size(), 0);
+        std::size_t end = 0;
+        visitRooms(plan, 0, z, visited, corners, end);
+        corners.resize(end);
+        if (corners.size() < 2) corners = {plan.rooms()[0].near_end, plan.rooms()[0].far_end};
+        for (Vector3d& corner : corners) {
+            if (job_.cancelled()) return {};
+            corner.z() = z;
+            if (!scene_.sphere->fits(corner)) corner = nearestFree(scene_, corner).value_or(corner);
+        }
+        return corners;
     }
 
     /// First the way, then the viewing directions along it.
-    Result<RepairedMotion> walk(const std::optional<Vector3d>& from,
-                                const std::optional<Vector3d>& to) {
-        const double z = floor_ + number("height", kWalkHeight);
+    Result<CameraMove> walk(const std::optional<Vector3d>& from,
+                            const std::optional<Vector3d>& to) {
+        const double z = floor_ + values_.number("height", kWalkHeight);
         Positions corners;
         if (from) {
             corners = {*from, *to};
         } else {
             job_.report(0.0);
             if (job_.cancelled()) return cancelled();
-            const RoomPlan plan(*scene_.scene, *scene_.rays, *scene_.free_space,
-                                scene_.sphere->radius());
-            std::vector<char> visited(plan.rooms().size(), 0);
-            std::size_t end = 0;
-            visitRooms(plan, 0, z, visited, corners, end);
-            corners.resize(end);
-            for (Vector3d& corner : corners) {
-                if (job_.cancelled()) return cancelled();
-                if (!scene_.sphere->fits(corner)) corner = nearestFree(scene_, corner);
-            }
+            corners = walkedRooms(z);
+            if (job_.cancelled()) return cancelled();
         }
-        if (corners.size() < 2) {
+        if (corners.size() < 2 || (corners.back() - corners.front()).norm() < kMoveSpacing) {
             return fail(ErrorCode::BadInput,
-                        "The scene has no doorways to walk through; pass from= and to=.", "walk");
+                        "The rooms are too small to walk in; give the points of its start and end.",
+                        "from, to");
         }
         auto way = repairAndTime(scene_, timing_, trajectoryThrough(divided(corners), 0.0),
                                  job_.stage(0.2, 0.6, request_.kind));
-        if (!way) return way;
+        if (!way) return tl::unexpected(std::move(way.error()));
         lookAhead(way->trajectory);
         const double duration = way->trajectory.frames.back().time_s;
-        const double slower = number("time", duration) / std::max(duration, 1e-9);
+        const double slower = values_.number("time", duration) / std::max(duration, 1e-9);
         for (TrajectoryFrame& frame : way->trajectory.frames) {
             frame.time_s *= std::max(1.0, slower);
         }
-        return repairAndTime(scene_, timing_, way->trajectory, job_.stage(0.6, 1.0, request_.kind));
+        return finished(
+            repairAndTime(scene_, timing_, way->trajectory, job_.stage(0.6, 1.0, request_.kind)));
     }
 
-    [[nodiscard]] static Result<RepairedMotion> cancelled() {
+    [[nodiscard]] Result<CameraMove> finished(Result<RepairedMotion> made) const {
+        if (!made) return tl::unexpected(std::move(made.error()));
+        return CameraMove{std::move(made->trajectory), note_};
+    }
+
+    [[nodiscard]] static Result<CameraMove> cancelled() {
         return fail(ErrorCode::Cancelled, "Making the camera move was cancelled.");
     }
 
@@ -356,58 +386,16 @@ class MoveMaker {
     const JobContext& job_;
     PathTiming timing_;
     double floor_ = 0.0;
-    std::map<std::string, double> numbers_;
+    MoveValues values_;
+    std::string subject_name_;  // for messages
+    std::string note_;          // what obstacles changed
 };
 
 }  // namespace
 
-Result<MoveRequest> parseMove(const std::string& text) {
-    MoveRequest request;
-    const std::size_t colon = text.find(':');
-    request.kind = text.substr(0, colon);
-    std::vector<std::string> names;
-    const MoveKind* kind = nullptr;
-    for (const MoveKind& one : kinds()) {
-        names.emplace_back(one.name);
-        if (one.name == request.kind) kind = &one;
-    }
-    if (!kind) {
-        return fail(ErrorCode::Usage, fmt::format("The kind of move '{}' is unknown{}",
-                                                  request.kind, nameHint(request.kind, names)));
-    }
-    std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
-    while (!rest.empty()) {
-        const std::size_t comma = rest.find(',');
-        const std::string option = rest.substr(0, comma);
-        rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
-        const std::size_t equals = option.find('=');
-        const std::string name = option.substr(0, equals);
-        if (std::find(kind->options.begin(), kind->options.end(), name) == kind->options.end()) {
-            return fail(ErrorCode::Usage, fmt::format("The option '{}' of {} is unknown{}", name,
-                                                      kind->name, nameHint(name, kind->options)));
-        }
-        if (equals == std::string::npos || equals + 1 == option.size()) {
-            return fail(ErrorCode::Usage,
-                        fmt::format("The option '{}' has no value; write {}=VALUE.", name, name));
-        }
-        request.options[name] = option.substr(equals + 1);
-    }
-    return request;
-}
-
-Result<RepairedMotion> makeMove(const BaselineScene& scene, const PlanParams& params,
-                                const MoveRequest& request, const JobContext& job) {
-    auto made = MoveMaker(scene, params, request, job).make();
-    if (made) made->change = {};  // of the ideal motion, which nobody gave
-    return made;
-}
-
-std::string moveHelp() {
-    std::string help;
-    for (const MoveKind& kind : kinds()) {
-        help += fmt::format("{}: {}; {}=\n", kind.name, kind.text, fmt::join(kind.options, "=, "));
-    }
-    return help;
+Result<CameraMove> makeMove(const BaselineScene& scene, const PlanParams& params,
+                            const MoveRequest& request, const JobContext& job) {
+    return MoveMaker(scene, params, request, job).make();
 }
 
 }  // namespace dollytrack::planning

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace dollytrack::planning {
@@ -181,29 +183,6 @@ class KeyFrames {
     std::vector<Pose> poses_;             // by frame
 };
 
-/// What keeps the camera from the key's position, and what a camera does there, as phrases.
-struct NotThere {
-    std::string reason;
-    const char* consequence = "passes there";
-};
-
-NotThere whyNotThere(const BaselineScene& scene, const Vector3d& position) {
-    int object_id = 0;
-    switch (scene.sphere->verdict(position, object_id)) {
-        case Verdict::NoGo:
-            return {"is in a no-go box"};
-        case Verdict::HeightBand:
-            return {"is outside the camera's limits of height"};
-        case Verdict::OutsideRoom:
-            return {"is outside the rooms"};
-        default:
-            return {object_id > 0 ? fmt::format("is in or too close to '{}'",
-                                                scene.scene->object(object_id).name)
-                                  : std::string("is in or too close to an obstacle"),
-                    "collides there"};
-    }
-}
-
 /// Makes the notes of the keys along a repaired motion.
 class KeyNotes {
   public:
@@ -290,10 +269,21 @@ class KeyNotes {
 
     [[nodiscard]] std::string collisionNote(std::size_t i, const TrajectoryFrame& frame) const {
         const double away_m = distance_m(i, frame);
-        const NotThere why = whyNotThere(scene_, keys_[i].pose.position);
-        return fmt::format("Key {} {}: the camera {}; move the key.", i + 1, why.reason,
-                           away_m > 0.0 ? fmt::format("passes at a distance of {:.2f} m", away_m)
-                                        : std::string(why.consequence));
+        int object_id = 0;
+        const Verdict verdict = scene_.sphere->verdict(keys_[i].pose.position, object_id);
+        const bool collides = verdict != Verdict::NoGo && verdict != Verdict::HeightBand &&
+                              verdict != Verdict::OutsideRoom;
+        std::string note = fmt::format("Key {} {}: the camera ", i + 1,
+                                       whyNotFree(scene_, keys_[i].pose.position));
+        note += away_m > 0.0 ? fmt::format("passes at a distance of {:.2f} m", away_m)
+                : collides   ? "collides there"
+                             : "passes there";
+        note += "; move the key";
+        if (const auto free_place = nearestFree(scene_, keys_[i].pose.position)) {
+            note += fmt::format(", for example to {:.2f}, {:.2f}, {:.2f} m", free_place->x(),
+                                free_place->y(), free_place->z());
+        }
+        return note + ".";
     }
 
     const BaselineScene& scene_;
@@ -322,20 +312,109 @@ Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams
     PathTiming of_path;
     of_path.limits = motionLimits(timing);
     of_path.frame_interval_s = of_path.smooth_over_s = 1.0 / timing.frame_rate;
-    KeyFrames frames(keys, of_path.frame_interval_s);
-    if (Status status = frames.settle(of_path.limits, job); !status) {
-        return tl::unexpected(std::move(status.error()));
+    const double interval_s = of_path.frame_interval_s;
+    // A way around obstacles takes longer than the given motion through them. The camera hurries
+    // where it has the time, to be at the keys in time nevertheless.
+    constexpr int kMostRounds = 4;
+    std::vector<MotionKey> hurried = keys;
+    KeyMotion best;
+    double least_late_s = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kMostRounds; ++round) {
+        KeyFrames frames(hurried, interval_s);
+        if (Status status = frames.settle(of_path.limits, job); !status) {
+            return tl::unexpected(std::move(status.error()));
+        }
+        // If no free space is near, the notes of the colliding keys say so.
+        const auto repaired = repairAndTime(
+            scene, of_path, frames.trajectory(),
+            job.stage(0.9 * round / kMostRounds, 0.9 * (round + 1) / kMostRounds, "key frames"),
+            FarPath::Keep);
+        if (!repaired) return tl::unexpected(repaired.error());
+        const KeyNotes notes(scene, keys, *repaired, interval_s);
+        KeyMotion made{repaired->trajectory, notes.passed(frames.frames(), job)};
+        if (job.cancelled()) {
+            return fail(ErrorCode::Cancelled, "Planning through the key frames was cancelled.");
+        }
+        double late_s = 0.0;
+        bool detours = false;
+        for (std::size_t i = 1; i < keys.size(); ++i) {
+            const double here_s = made.passed[i].time_s - keys[i].time_s;
+            const double detour_s = made.passed[i].time_s - frames.timeOf(frames.frames()[i]);
+            late_s += std::max(0.0, here_s);
+            if (isLate(here_s, interval_s) && isLate(detour_s, interval_s)) {
+                detours = true;
+                hurried[i].time_s -= here_s;
+            }
+            hurried[i].time_s =
+                std::max(hurried[i].time_s, hurried[i - 1].time_s + 0.5 * interval_s);
+        }
+        if (late_s < least_late_s - 0.5 * interval_s) {
+            least_late_s = late_s;
+            best = std::move(made);
+        } else {
+            break;
+        }
+        if (!detours) break;
     }
-    const Trajectory given = frames.trajectory();
-    // If no free space is near, the notes of the colliding keys say so.
-    const auto repaired =
-        repairAndTime(scene, of_path, given, job.stage(0.0, 0.9, "key frames"), FarPath::Keep);
-    if (!repaired) return tl::unexpected(repaired.error());
-    const KeyNotes notes(scene, keys, *repaired, of_path.frame_interval_s);
-    KeyMotion made{repaired->trajectory, notes.passed(frames.frames(), job)};
-    if (job.cancelled())
-        return fail(ErrorCode::Cancelled, "Planning through the key frames was cancelled.");
-    return made;
+    return best;
+}
+
+Result<std::vector<MotionKey>> withReachableTimes(const BaselineScene& scene,
+                                                  const TimingParams& timing,
+                                                  std::vector<MotionKey> keys,
+                                                  const JobContext& job) {
+    // Later times change the motion, and with it the way around obstacles. Mostly two rounds do.
+    constexpr int kMostRounds = 10;
+    const double interval_s = 1.0 / timing.frame_rate;
+    for (int round = 0; round < kMostRounds; ++round) {
+        const auto made =
+            moveThroughKeys(scene, timing, keys,
+                            job.stage(static_cast<double>(round) / kMostRounds,
+                                      static_cast<double>(round + 1) / kMostRounds, "key times"));
+        if (!made) return tl::unexpected(made.error());
+        bool late = false;
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            late = late || isLate(made->passed[i].time_s - keys[i].time_s, interval_s);
+        }
+        if (!late) break;
+        std::vector<MotionKey> reached = withReachedTimes(keys, made->passed, interval_s);
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            // Keys in time keep their times, without rounding to frames.
+            const bool in_time = !isLate(made->passed[i].time_s - keys[i].time_s, interval_s);
+            const bool rises = i == 0 || keys[i].time_s > reached[i - 1].time_s;
+            if (in_time && rises) reached[i].time_s = keys[i].time_s;
+        }
+        keys = std::move(reached);
+    }
+    return keys;
+}
+
+Result<std::vector<MotionKey>> withKeysAlong(std::vector<MotionKey> keys,
+                                             const Trajectory& trajectory,
+                                             const TimingParams& timing, const JobContext& job) {
+    constexpr double kStep_s = 1.0;
+    const auto& frames = trajectory.frames;
+    if (frames.empty()) return keys;
+    const double interval_s = 1.0 / timing.frame_rate;
+    double begin_s = 0.0;
+    if (!keys.empty()) {
+        const std::vector<MotionKey> gap = {keys.back(),
+                                            {keys.back().time_s + interval_s, frames.front().pose}};
+        const auto times = keyTimes(gap, motionLimits(timing), interval_s, job);
+        if (!times) return tl::unexpected(times.error());
+        begin_s = times->back();
+    }
+    double next_s = 0.0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const double time_s = frames[i].time_s - frames.front().time_s;
+        // The last key would be too near to the one before it.
+        const bool near_end = frames.back().time_s - frames[i].time_s < 0.5 * kStep_s;
+        const bool last = i + 1 == frames.size();
+        if (!last && (time_s < next_s - 1e-9 || near_end)) continue;
+        keys.push_back({begin_s + time_s, frames[i].pose});
+        next_s = time_s + kStep_s;
+    }
+    return keys;
 }
 
 std::vector<MotionKey> withReachedTimes(std::vector<MotionKey> keys,

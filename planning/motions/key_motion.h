@@ -32,11 +32,11 @@ struct KeyMotion {
 
 /// The smooth motion through the keys (see KeyCurve) at the frame rate. The camera is at a key in
 /// the frame nearest to its time, or as soon after it as the motion limits and a way around
-/// obstacles allow; later keys are in time again where their times leave room for that. If a key is
-/// in collision, not reached, or its time is not kept, its note says so. Where no motion near the
-/// keys is free, the trajectory collides, and the notes of all keys in collision say so. Errors:
-/// those of keyTimes(); BadInput if the way around obstacles would take more than
-/// kMostMotionFrames.
+/// obstacles allow; later keys are in time again where their times leave room for that. After a way
+/// around obstacles it may be at a key some tenths of a second early. If a key is in collision, not
+/// reached, or its time is not kept, its note says so. Where no motion near the keys is free, the
+/// trajectory collides, and the notes of all keys in collision say so. Errors: those of keyTimes();
+/// BadInput if the way around obstacles would take more than kMostMotionFrames.
 Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams& timing,
                                   const std::vector<MotionKey>& keys, const JobContext& job);
 
@@ -44,5 +44,19 @@ Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams
 /// they follow each other at the frame interval, because the times of keys must rise.
 std::vector<MotionKey> withReachedTimes(std::vector<MotionKey> keys,
                                         std::span<const PassedKey> passed, double interval_s);
+
+/// The keys at times that the camera keeps: those given, or later ones. The motion is planned anew
+/// until no key is late, because later times change the motion between the keys. Errors: those of
+/// moveThroughKeys().
+Result<std::vector<MotionKey>> withReachableTimes(const BaselineScene& scene,
+                                                  const TimingParams& timing,
+                                                  std::vector<MotionKey> keys,
+                                                  const JobContext& job);
+
+/// The keys followed by further ones that lie along a trajectory, a second apart. The first of
+/// these is as much later than the last key as the motion limits need.
+Result<std::vector<MotionKey>> withKeysAlong(std::vector<MotionKey> keys,
+                                             const Trajectory& trajectory,
+                                             const TimingParams& timing, const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -4,6 +4,10 @@
 #include "planning/collision/path_clearance.h"
 #include "planning/free_space/free_space.h"
 
+#include <fmt/format.h>
+
+#include <limits>
+
 namespace dollytrack::planning {
 namespace {
 
@@ -39,6 +43,38 @@ int MotionCheck::componentOf(const Eigen::Vector3d& position) const {
         if (component >= 0 && scene_.sphere->segment(position, beside).free) return component;
     }
     return -1;
+}
+
+std::string whyNotFree(const BaselineScene& scene, const Eigen::Vector3d& position) {
+    int object_id = 0;
+    switch (scene.sphere->verdict(position, object_id)) {
+        case Verdict::NoGo:
+            return "is in a no-go box";
+        case Verdict::HeightBand:
+            return "is outside the camera's limits of height";
+        case Verdict::OutsideRoom:
+            return "is outside the rooms";
+        default:
+            return object_id > 0 ? fmt::format("is in or too close to '{}'",
+                                               scene.scene->object(object_id).name)
+                                 : std::string("is in or too close to an obstacle");
+    }
+}
+
+std::optional<Eigen::Vector3d> nearestFree(const BaselineScene& scene,
+                                           const Eigen::Vector3d& position) {
+    std::optional<Eigen::Vector3d> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t room = 0; room < scene.free_space->rooms().size(); ++room) {
+        for (const Eigen::Vector3f& cell : scene.sphere->cells(static_cast<int>(room))) {
+            const Eigen::Vector3d place = cell.cast<double>();
+            const double distance = (place - position).squaredNorm();
+            if (distance >= least || !scene.sphere->fits(place)) continue;
+            least = distance;
+            nearest = place;
+        }
+    }
+    return nearest;
 }
 
 }  // namespace dollytrack::planning

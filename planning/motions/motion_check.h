@@ -4,6 +4,9 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+#include <string>
+
 namespace dollytrack::planning {
 
 struct BaselineScene;
@@ -27,5 +30,13 @@ class MotionCheck {
     // Radius reduced by SweptSphere's contact margin, so that touching a surface is allowed.
     SweptSphere touching_;
 };
+
+/// Why the camera cannot be at a position that is not free, as a phrase: "is in or too close to
+/// 'wall'".
+[[nodiscard]] std::string whyNotFree(const BaselineScene& scene, const Eigen::Vector3d& position);
+
+/// The position nearest to a given one at which the camera fits; empty if there is none.
+[[nodiscard]] std::optional<Eigen::Vector3d> nearestFree(const BaselineScene& scene,
+                                                         const Eigen::Vector3d& position);
 
 }  // namespace dollytrack::planning

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace dollytrack::planning {
 namespace {
@@ -26,14 +27,20 @@ double angleOf(const Eigen::Vector3d& direction) {
 }  // namespace
 
 ObjectMoves::ObjectMoves(const BaselineScene& scene, const Object& object)
-    : scene_(scene), object_(object), subject_(makeSubject(*scene.views, {object.id})) {}
+    : scene_(scene),
+      subject_(makeSubject(*scene.views, {object.id})),
+      front_(object.front),
+      object_id_(object.id) {}
+
+ObjectMoves::ObjectMoves(const BaselineScene& scene, const Eigen::Vector3d& center, double reach_m)
+    : scene_(scene), subject_{center, {}}, reach_m_(reach_m) {}
 
 double ObjectMoves::distanceFor(double fill) const {
-    return distanceForFill(*scene_.views, subject_, object_.front, fill);
+    if (object_id_ == 0) return reach_m_ * 0.5 / fill;
+    return distanceForFill(*scene_.views, subject_, front_, fill);
 }
 
-std::vector<Eigen::Vector3d> ObjectMoves::orbit(double radius_m, double z, double arc_rad,
-                                                const JobContext& job) const {
+Orbit ObjectMoves::orbit(double radius_m, double z, double arc_rad, const JobContext& job) const {
     const double arc = std::min(arc_rad, kFullCircle);
     const auto steps = static_cast<int>(std::max(2.0, std::ceil(arc * radius_m / kMoveSpacing)));
     std::vector<Eigen::Vector3d> longest;
@@ -43,7 +50,7 @@ std::vector<Eigen::Vector3d> ObjectMoves::orbit(double radius_m, double z, doubl
     for (int k = 0; k <= rounds * steps; ++k) {
         job.report(static_cast<double>(k) / (rounds * steps));
         if (job.cancelled()) return {};
-        const double angle = angleOf(object_.front) + arc * (static_cast<double>(k) / steps - 0.5);
+        const double angle = angleOf(front_) + arc * (static_cast<double>(k) / steps - 0.5);
         const auto place = placeAt(horizontal(angle), radius_m, z);
         const bool goes_on =
             place && (run.empty() || scene_.sphere->segment(run.back(), *place).free);
@@ -53,16 +60,15 @@ std::vector<Eigen::Vector3d> ObjectMoves::orbit(double radius_m, double z, doubl
         if (longest.size() > static_cast<std::size_t>(steps)) break;
     }
     const double found = arc * (static_cast<double>(longest.size()) - 1.0) / steps;
-    if (found < std::min(kShortestArc, arc) - 1e-9) longest.clear();
-    return longest;
+    if (found < std::min(kShortestArc, arc) - 1e-9) return {};
+    return {std::move(longest), found / arc};
 }
 
 std::vector<Eigen::Vector3d> ObjectMoves::straight(double from_m, double from_z, double to_m,
                                                    double to_z) const {
     for (int k = 0; k < kDirections; ++k) {
         const int side = k % 2 == 0 ? k / 2 : -(k + 1) / 2;
-        const Eigen::Vector3d out =
-            horizontal(angleOf(object_.front) + kFullCircle * side / kDirections);
+        const Eigen::Vector3d out = horizontal(angleOf(front_) + kFullCircle * side / kDirections);
         const Eigen::Vector3d from = at(out, from_m, from_z);
         const Eigen::Vector3d to = at(out, to_m, to_z);
         if (!scene_.sphere->fits(from) || !scene_.sphere->fits(to)) continue;
@@ -88,7 +94,8 @@ std::optional<Eigen::Vector3d> ObjectMoves::placeAt(const Eigen::Vector3d& out, 
 
 bool ObjectMoves::isSeen(const Eigen::Vector3d& place) const {
     const RayHit hit = scene_.rays->cast(place, subject_.center - place, 1.0);
-    return hit.object_id == 0 || hit.object_id == object_.id;
+    if (hit.object_id == 0 || hit.object_id == object_id_) return true;
+    return object_id_ == 0 && !scene_.scene->object(hit.object_id).structure;
 }
 
 }  // namespace dollytrack::planning

@@ -24,23 +24,34 @@ inline constexpr std::array<double, 8> kDistanceFactors = {1.0,  0.92, 1.08, 0.8
 /// Largest distance between the positions of a camera move, m.
 inline constexpr double kMoveSpacing = 0.05;
 
-/// Ideal positions of camera moves around one object. Keeps references to its arguments.
+/// Positions of an orbit, and the share of the asked arc that they take.
+struct Orbit {
+    std::vector<Eigen::Vector3d> positions;
+    double share = 0.0;
+};
+
+/// Ideal positions of camera moves around one object, or around a point. Keeps a reference to the
+/// scene.
 class ObjectMoves {
   public:
     ObjectMoves(const BaselineScene& scene, const Object& object);
+    /// Around a point, which objects but no part of the building may hide; `reach_m` is the usual
+    /// distance.
+    ObjectMoves(const BaselineScene& scene, const Eigen::Vector3d& center, double reach_m);
 
     /// The point to look at.
     [[nodiscard]] Eigen::Vector3d center() const { return subject_.center; }
 
-    /// Distance at which the object takes this share of the image, from in front of it, m.
+    /// Distance at which the object takes this share of the image, from in front of it, m; of a
+    /// point, for the share 0.5, the usual distance.
     [[nodiscard]] double distanceFor(double fill) const;
 
     /// Positions on an arc around the object, whose middle is in front of it: the longest part in
     /// which the camera fits and sees the object. Where it does not fit at `radius_m`, the radius
     /// is a little smaller or larger. Empty if the part is shorter than 20 degrees, or if
     /// cancelled.
-    [[nodiscard]] std::vector<Eigen::Vector3d> orbit(double radius_m, double z, double arc_rad,
-                                                     const JobContext& job) const;
+    [[nodiscard]] Orbit orbit(double radius_m, double z, double arc_rad,
+                              const JobContext& job) const;
 
     /// Both ends of the straight move beside the object between two horizontal distances from its
     /// centre and two heights z, in the direction nearest to its front where the move is free and
@@ -55,8 +66,10 @@ class ObjectMoves {
     [[nodiscard]] bool isSeen(const Eigen::Vector3d& place) const;
 
     const BaselineScene& scene_;
-    const Object& object_;
     Subject subject_;
+    Eigen::Vector3d front_ = Eigen::Vector3d::UnitX();
+    int object_id_ = 0;     // 0: around a point
+    double reach_m_ = 0.0;  // of a point
 };
 
 }  // namespace dollytrack::planning

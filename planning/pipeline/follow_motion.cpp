@@ -24,6 +24,8 @@ void testMoves(SmoothPath& path, const Eigen::Vector3d& start, const SweptSphere
         if (job.cancelled()) return;
         sweeps[i] = sphere.segment(path.pieces[i].start, path.pieces[i].end);
     });
+    // A path that stays at one place has no moves.
+    if (sweeps.empty() && !sphere.segment(start, start).free) path.collisions = 1;
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
         path.pieces[i].collides = !sweeps[i].free;
         path.collisions += sweeps[i].free ? 0 : 1;

@@ -48,14 +48,17 @@ class EditsPanelTest : public testing::Test {
         view.motion = motion;
         if (state.edits.plan.motion) view.motion.motion = &*state.edits.plan.motion;
         view.motion.plan = &plan;
-        const EditsActions now = drawEditsPanel(view);
+        const EditsActions now = drawEditsPanel(view, move);
         if (now.motion.edit.asks()) apply(now.motion.edit.operation);
         repairs = repairs || now.motion.repair;
         fits = fits || now.motion.fit_keys;
         adds_key = adds_key || now.motion.add_key;
         if (now.motion.select_key >= 0) selected_key = now.motion.select_key;
         if (now.motion.look_through) looked = now.motion.look_through;
-        if (!now.motion.make.empty()) made = now.motion.make;
+        made += now.motion.make ? 1 : 0;
+        if (now.motion.free_key) freed = static_cast<int>(*now.motion.free_key);
+        if (now.motion.collision != 0) collision = now.motion.collision;
+        replaces_key = replaces_key || now.motion.replace_key;
         if (now.edit.asks()) {
             asked.push_back(now.edit);
             apply(now.edit.operation);
@@ -74,7 +77,11 @@ class EditsPanelTest : public testing::Test {
     bool fits = false;
     bool adds_key = false;
     int selected_key = -1;
-    std::string made;
+    MoveDraft move;
+    int made = 0;  // moves
+    int freed = -1;
+    int collision = 0;
+    bool replaces_key = false;
     std::vector<EditRequest> asked;
     bool drag_ended = false;
     std::optional<Selection> selected;
@@ -133,22 +140,74 @@ TEST_F(EditsPanelTest, KeysOfTheCameraPathAreRetimedGoneToAndRemoved) {
     EXPECT_EQ(state.edits.plan.motion->keys.size(), 2U);
     ASSERT_TRUE(screen.click("edits.motion.add_key"));
     EXPECT_TRUE(adds_key);
+    ASSERT_TRUE(screen.click("edits.motion.replace_key"));
+    EXPECT_TRUE(replaces_key);
     motion.why_no_key = "No scene is open.";
     screen.frame(2);
     EXPECT_FALSE(screen.enabled("edits.motion.add_key"));
 }
 
-TEST_F(EditsPanelTest, MovesNeedTheObjectThatTheyAreAbout) {
-    motion.has_scene = true;
+TEST_F(EditsPanelTest, AMoveIsSetUpInAForm) {
+    motion.move.why_not = "No scene is open.";
     screen.frame(2);
-    screen.click("edits.motion.orbit");
-    EXPECT_EQ(made, "") << "no object is selected";
-    ASSERT_TRUE(screen.click("edits.motion.walk"));
-    EXPECT_EQ(made, "walk");
-    motion.has_object = true;
-    screen.frame(2);
+    EXPECT_FALSE(screen.shows("edits.move.make"));
     ASSERT_TRUE(screen.click("edits.motion.orbit"));
-    EXPECT_EQ(made, "orbit");
+    screen.frame(2);
+    EXPECT_FALSE(screen.enabled("edits.move.make"));
+    motion.move.why_not.clear();
+    motion.move.eye = {1.0, 2.0, 1.5};
+    screen.frame(2);
+    ASSERT_TRUE(screen.click("edits.motion.crane"));
+    ASSERT_TRUE(screen.click("edits.move.to_height.set"));
+    screen.frame(2);
+    ASSERT_TRUE(screen.typeInto("edits.move.to_height", "2.25"));
+    ASSERT_TRUE(screen.click("edits.move.make"));
+    EXPECT_EQ(planning::moveText(move.request()), "crane:to_height=2.25");
+    ASSERT_TRUE(screen.click("edits.motion.walk"));
+    ASSERT_TRUE(screen.click("edits.move.from.set"));
+    ASSERT_TRUE(screen.click("edits.move.make"));
+    EXPECT_EQ(planning::moveText(move.request()), "walk:from=1;2;1.5");
+    EXPECT_EQ(made, 2);
+    ASSERT_TRUE(screen.click("edits.motion.crane"));
+    EXPECT_TRUE(screen.shows("edits.move.to_height")) << "each kind keeps its settings";
+    ASSERT_TRUE(screen.click("edits.move.to_height.set"));
+    EXPECT_EQ(planning::moveText(move.request()), "crane");
+    ASSERT_TRUE(screen.click("edits.move.close"));
+    screen.frame(2);
+    EXPECT_FALSE(screen.shows("edits.move.make"));
+}
+
+// The form has a widget for every setting that the command line accepts.
+TEST_F(EditsPanelTest, EverySettingOfAMoveHasAWidget) {
+    for (const planning::MoveKind& kind : planning::moveKinds()) {
+        ASSERT_TRUE(screen.click("edits.motion." + std::string(kind.name)));
+        screen.frame(2);
+        for (const planning::MoveSetting& setting : kind.settings) {
+            const bool is_object = setting.kind == planning::MoveSetting::Kind::Object;
+            EXPECT_TRUE(
+                screen.shows("edits.move." + std::string(setting.name) + (is_object ? "" : ".set")))
+                << kind.name << " " << setting.name;
+        }
+    }
+}
+
+TEST_F(EditsPanelTest, WhatIsBlockedIsNotCalledFree) {
+    apply({{"op", "add_camera_key"},
+           {"time_s", 0.0},
+           {"position", {1.0, 1.0, 1.5}},
+           {"target", {2.0, 1.0, 1.0}}});
+    plan.passed_keys = {{0, 0.0, ""}};
+    motion.key_states = {{"is in or too close to 'wall'", Eigen::Vector3d(1.0, 1.5, 1.5)}};
+    screen.frame(2);
+    EXPECT_FALSE(screen.shows("edits.motion.collisions"));
+    ASSERT_TRUE(screen.click("edits.motion.key.0.free")) << screen.names();
+    EXPECT_EQ(freed, 0);
+    plan.smooth_paths.emplace_back().collisions = 1;
+    screen.frame(2);
+    ASSERT_TRUE(screen.click("edits.motion.collisions"));
+    EXPECT_EQ(collision, 1);
+    ASSERT_TRUE(screen.click("edits.motion.previous_collision"));
+    EXPECT_EQ(collision, -1);
 }
 
 TEST_F(EditsPanelTest, PinsCanBeLookedThroughAndUnpinned) {

@@ -38,6 +38,7 @@ struct RepairArguments {
     std::string keys;
     std::string out;
     bool no_repair = false;
+    bool append = false;
     bool as_json = false;
 
     /// The project to write.
@@ -61,6 +62,10 @@ Status checkUsage(const RepairArguments& arguments) {
         return fail(ErrorCode::Usage,
                     "It needs a --trajectory; what is repaired or made is always collision-free.",
                     "--no-repair");
+    }
+    if (arguments.append && arguments.move.empty()) {
+        return fail(ErrorCode::Usage, "It needs a --move, whose keys follow those of the project.",
+                    "--append");
     }
     if (arguments.out.empty() && !isProjectFile(arguments.scene.path)) {
         return fail(ErrorCode::Usage, "A scene file is never changed; give a new project with -o.",
@@ -179,12 +184,34 @@ Result<ImportedMotion> importKeys(const RepairArguments& arguments, const Opened
 /// Gives the keys of the project the times at which the camera reaches them.
 Result<ImportedMotion> fitKeys(const OpenedScene& opened, const planning::BaselineScene& map,
                                const JobContext& job) {
-    auto made = passKeys(*opened.plan_edits.motion, opened, map, job);
-    if (!made) return made;
-    GivenMotion fitted = std::move(made->motion);
-    fitted.keys = planning::withReachedTimes(std::move(fitted.keys), made->passed,
-                                             1.0 / opened.params.timing.frame_rate);
-    return passKeys(std::move(fitted), opened, map, job);
+    GivenMotion fitted = *opened.plan_edits.motion;
+    auto keys = planning::withReachableTimes(map, opened.params.timing, std::move(fitted.keys),
+                                             job.stage(0.0, 0.8, "key times"));
+    if (!keys) return tl::unexpected(std::move(keys.error()));
+    fitted.keys = std::move(*keys);
+    return passKeys(std::move(fitted), opened, map, job.stage(0.8, 1.0, "key frames"));
+}
+
+/// A camera move as the motion or, with --append, as further keys.
+Result<ImportedMotion> takeMove(const RepairArguments& arguments, const Trajectory& move,
+                                const OpenedScene& opened, const planning::BaselineScene& map,
+                                const JobContext& job) {
+    if (!arguments.append) {
+        return ImportedMotion{givenMotion(cleanText(arguments.move), move),
+                              planning::MotionChange{}};
+    }
+    GivenMotion motion = opened.plan_edits.motion ? *opened.plan_edits.motion : GivenMotion{};
+    if (motion.keys.empty() && !motion.frames.empty()) {
+        return fail(ErrorCode::Usage, "The project's camera motion has no key frames.", "--append");
+    }
+    auto keys = planning::withKeysAlong(std::move(motion.keys), move, opened.params.timing, job)
+                    .and_then([&](std::vector<MotionKey> longer) {
+                        return planning::withReachableTimes(map, opened.params.timing,
+                                                            std::move(longer), job);
+                    });
+    if (!keys) return tl::unexpected(std::move(keys.error()));
+    motion.keys = std::move(*keys);
+    return passKeys(std::move(motion), opened, map, job);
 }
 
 Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const OpenedScene& opened,
@@ -207,9 +234,9 @@ Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const Opened
     Result<ImportedMotion> made = ImportedMotion{};
     if (request) {
         made = planning::makeMove(*map, opened.params, *request, part)
-                   .map([&](const planning::RepairedMotion& move) {
-                       return ImportedMotion{
-                           givenMotion(cleanText(arguments.move), move.trajectory), move.change};
+                   .and_then([&](const planning::CameraMove& move) {
+                       if (!move.note.empty()) log::info("repair", move.note);
+                       return takeMove(arguments, move.trajectory, opened, *map, part);
                    });
     } else if (!arguments.trajectory.empty()) {
         made = importTrajectory(arguments, opened, *map, part);
@@ -343,6 +370,9 @@ void addRepairCommand(CLI::App& app, Session& session) {
         ->add_option("--move", arguments->move,
                      "Instead of a trajectory: a camera move with its options")
         ->type_name("KIND:NAME=VALUE,...");
+    command->add_flag("--append", arguments->append,
+                      "Add the move after the project's key frames, as keys a second apart, "
+                      "instead of replacing them");
     command->add_flag("--no-repair", arguments->no_repair,
                       "Take the trajectory as it is, also where it collides");
     command

@@ -5,10 +5,12 @@
 #include "engine/plan/plan_json.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/free_space/free_space.h"
+#include "planning/motions/colliding_frames.h"
 #include "planning/pipeline/follow_motion.h"
 #include "planning/timing/clip.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -102,6 +104,17 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
                                           : ""));
 }
 
+/// Where collisions begin: "; from frames 3, 40, ..."; empty if it is not known.
+std::string collisionsText(const Plan& plan) {
+    constexpr std::size_t kMost = 10;
+    std::vector<int> begins = planning::collidingFrames(plan);
+    if (begins.empty()) return {};
+    const bool more = begins.size() > kMost;
+    begins.resize(std::min(begins.size(), kMost));
+    return fmt::format("; from frame{} {}{}", begins.size() == 1 ? "" : "s",
+                       fmt::join(begins, ", "), more ? ", ..." : "");
+}
+
 /// Warns about keys that a given motion cannot keep, about its collisions, and about parameters
 /// that do not apply to it.
 void warnOfMotion(const Plan& plan, const planning::PlanParams& params) {
@@ -113,8 +126,8 @@ void warnOfMotion(const Plan& plan, const planning::PlanParams& params) {
                           static_cast<double>(plan.trajectory.frames.size());
     if (moves > 0 || frames > 0.0) {
         log::warn("planning", fmt::format("the given camera motion collides in {:.0f} frames and "
-                                          "on the way to the next frame {} times",
-                                          frames, moves));
+                                          "on the way to the next frame {} times{}",
+                                          frames, moves, collisionsText(plan)));
     }
     planning::PlanParams set = params;
     planning::PlanParams used = planning::paramsForMotion(params);

@@ -2,6 +2,7 @@
 
 #include "engine/io/trajectories/trajectory_file.h"
 #include "planning/baselines/baseline_scene.h"
+#include "planning/motions/key_motion.h"
 #include "planning/motions/repair_motion.h"
 #include "render/formats/poses/camera_json.h"
 
@@ -10,7 +11,8 @@
 
 namespace dollytrack::editor {
 
-void MotionWorker::start(Work work) {
+void MotionWorker::start(Source source, Work work) {
+    source_ = source;
     worker_.start(
         [question = ++question_, work = std::move(work), latest = answers_](const JobContext& job) {
             try {
@@ -27,23 +29,26 @@ void MotionWorker::cancel() {
 }
 
 void MotionWorker::read(const MotionFile& file, const PlanOutcome& shown) {
-    start([file, scene = shown.scene, interval_s = 1.0 / shown.params.timing.frame_rate](
+    start(Source::File,
+          [file, scene = shown.scene, interval_s = 1.0 / shown.params.timing.frame_rate](
               const JobContext&) -> Result<Outcome> {
-        TrajectoryReading reading;
-        reading.world = file.world;
-        reading.source_from_world = scene->source_from_world;
-        reading.camera_json_from_world = render::cameraJsonFromWorld(*scene);
-        reading.interval_s = interval_s;
-        reading.has_options = false;
-        Result<LoadedTrajectory> loaded = loadTrajectory(file.path, reading);
-        if (!loaded) return tl::unexpected(std::move(loaded.error()));
-        return Outcome{
-            Source::File, givenMotion(file.path.filename().string(), loaded->trajectory), {}, file};
-    });
+              TrajectoryReading reading;
+              reading.world = file.world;
+              reading.source_from_world = scene->source_from_world;
+              reading.camera_json_from_world = render::cameraJsonFromWorld(*scene);
+              reading.interval_s = interval_s;
+              reading.has_options = false;
+              Result<LoadedTrajectory> loaded = loadTrajectory(file.path, reading);
+              if (!loaded) return tl::unexpected(std::move(loaded.error()));
+              return Outcome{Source::File,
+                             givenMotion(file.path.filename().string(), loaded->trajectory),
+                             {},
+                             file};
+          });
 }
 
 void MotionWorker::repair(const SharedMotion& motion, const PlanOutcome& shown) {
-    start([motion, shown](const JobContext& job) -> Result<Outcome> {
+    start(Source::Repair, [motion, shown](const JobContext& job) -> Result<Outcome> {
         const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
                                                     job.stage(0.0, 0.2, "free space"));
         if (!map) return tl::unexpected(map.error());
@@ -55,14 +60,44 @@ void MotionWorker::repair(const SharedMotion& motion, const PlanOutcome& shown) 
     });
 }
 
-void MotionWorker::make(const planning::MoveRequest& move, const PlanOutcome& shown) {
-    start([move, shown](const JobContext& job) -> Result<Outcome> {
+void MotionWorker::make(const planning::MoveRequest& move, const SharedMotion& after,
+                        const PlanOutcome& shown) {
+    start(Source::Move, [move, after, shown](const JobContext& job) -> Result<Outcome> {
         const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
                                                     job.stage(0.0, 0.2, "free space"));
         if (!map) return tl::unexpected(map.error());
-        auto made = planning::makeMove(*map, shown.params, move, job.stage(0.2, 1.0, "move"));
+        auto made = planning::makeMove(*map, shown.params, move, job.stage(0.2, 0.8, "move"));
         if (!made) return tl::unexpected(std::move(made.error()));
-        return Outcome{Source::Move, givenMotion(move.kind, made->trajectory)};
+        if (!after) {
+            return Outcome{Source::Move,
+                           givenMotion(planning::moveText(move), made->trajectory),
+                           {},
+                           {},
+                           made->note};
+        }
+        GivenMotion longer = *after;
+        const planning::TimingParams& timing = shown.params.timing;
+        auto keys = planning::withKeysAlong(std::move(longer.keys), made->trajectory, timing, job);
+        if (!keys) return tl::unexpected(std::move(keys.error()));
+        keys = planning::withReachableTimes(*map, timing, std::move(*keys),
+                                            job.stage(0.8, 1.0, "key times"));
+        if (!keys) return tl::unexpected(std::move(keys.error()));
+        longer.keys = std::move(*keys);
+        return Outcome{Source::Move, std::move(longer), {}, {}, made->note};
+    });
+}
+
+void MotionWorker::fitKeys(const SharedMotion& motion, const PlanOutcome& shown) {
+    start(Source::KeyTimes, [motion, shown](const JobContext& job) -> Result<Outcome> {
+        const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
+                                                    job.stage(0.0, 0.2, "free space"));
+        if (!map) return tl::unexpected(map.error());
+        GivenMotion fitted = *motion;
+        auto keys = planning::withReachableTimes(*map, shown.params.timing, std::move(fitted.keys),
+                                                 job.stage(0.2, 1.0, "key times"));
+        if (!keys) return tl::unexpected(std::move(keys.error()));
+        fitted.keys = std::move(*keys);
+        return Outcome{Source::KeyTimes, std::move(fitted)};
     });
 }
 

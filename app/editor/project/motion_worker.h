@@ -23,12 +23,13 @@ struct MotionFile {
 /// one.
 class MotionWorker {
   public:
-    enum class Source { File, Repair, Move };
+    enum class Source { File, Repair, Move, KeyTimes };
     struct Outcome {
         Source source = Source::File;
         GivenMotion motion;
         planning::MotionChange change = {};  // of a repair
         MotionFile file = {};                // that it was read from
+        std::string note = {};               // of a move: what obstacles changed; empty: nothing
     };
 
     explicit MotionWorker(std::function<void()> wake) : worker_(std::move(wake)) {}
@@ -37,11 +38,18 @@ class MotionWorker {
     void read(const MotionFile& file, const PlanOutcome& shown);
     /// Repairs a motion in the displayed scene.
     void repair(const SharedMotion& motion, const PlanOutcome& shown);
-    void make(const planning::MoveRequest& move, const PlanOutcome& shown);
+    /// Makes a camera move; with `after`, as further keys of that motion, else as a motion of its
+    /// own.
+    void make(const planning::MoveRequest& move, const SharedMotion& after,
+              const PlanOutcome& shown);
+    /// Gives all keys of a motion times that the camera keeps.
+    void fitKeys(const SharedMotion& motion, const PlanOutcome& shown);
     /// Cancels the request and drops its result.
     void cancel();
 
     [[nodiscard]] BackgroundWorker::State state() const { return worker_.state(); }
+    /// The kind of the newest request.
+    [[nodiscard]] Source source() const { return source_; }
     /// The newest result since the last call.
     [[nodiscard]] std::optional<Result<Outcome>> take();
 
@@ -51,8 +59,9 @@ class MotionWorker {
         Result<Outcome> outcome;
     };
     using Work = std::function<Result<Outcome>(const JobContext&)>;
-    void start(Work work);
+    void start(Source source, Work work);
 
+    Source source_ = Source::File;
     std::uint64_t question_ = 0;
     std::shared_ptr<LatestValue<Answer>> answers_ = std::make_shared<LatestValue<Answer>>();
     BackgroundWorker worker_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/panels/edits/move_form.h"
 #include "ui/panels/export/export_panel.h"
 #include "ui/panels/plan/history_panel.h"
 #include "ui/panels/plan/log_panel.h"
@@ -22,6 +23,7 @@ struct PanelStates {
     ui::ViewportState viewport;
     ui::StartState start;
     ui::ObjectsPanelState objects;
+    ui::MoveDraft move;
     ui::HistoryState history;
     ui::SelectionState selection;
     ui::TimelineState timeline;

@@ -158,8 +158,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     });
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // the layout is stored in our settings
-    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui::GetIO().IniFilename = nullptr;        // the layout is stored in our settings
     ImGui::GetIO().MouseDoubleClickTime = 0.4F;  // usual desktop value, above ImGui's default
     ImGui_ImplGlfw_InitForOpenGL(window->window_, false);
     window->input_.attach(window->window_);
@@ -275,6 +274,7 @@ void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     input_.setMouse();
+    navigation_.beginFrame();
     ImGui::NewFrame();
     draw_within_s_ = kLongestSleep_s;
     goes_on = frame();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/shell/input_queue.h"
+#include "app/editor/shell/panel_navigation.h"
 #include "engine/core/result.h"
 #include "render/gl/context.h"
 
@@ -80,6 +81,7 @@ class Window {
     void requestFonts(double scale) { wanted_font_scale_ = scale; }
     void setTitle(const std::string& title);
     void toggleFullscreen();
+    [[nodiscard]] PanelNavigation& navigation() { return navigation_; }
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
 
   private:
@@ -93,6 +95,7 @@ class Window {
     GLFWwindow* window_ = nullptr;
     GLFWwindow* hidden_ = nullptr;
     InputQueue input_;
+    PanelNavigation navigation_;
     int held_frames_ = 0;  // frames for which typed keys have been held back for a field
     int frames_to_draw_ = 3;
     double draw_within_s_ = kLongestSleep_s;

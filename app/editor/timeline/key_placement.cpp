@@ -41,6 +41,19 @@ double timeAfterLast(const std::vector<MotionKey>& keys, const Pose& view,
     return onFrame(last_s + std::max(later_s, kLeastStep_s), interval_s);
 }
 
+/// A time between two others, on a whole frame if there is one.
+double halfway(double before_s, double after_s, double interval_s) {
+    const double exact = 0.5 * (before_s + after_s);
+    const double wanted = onFrame(exact, interval_s);
+    return wanted > before_s && wanted < after_s ? wanted : exact;
+}
+
+/// Whether the plan passes the keys, and has a frame at the playhead.
+bool isPassed(const std::vector<MotionKey>& keys, const Plan* plan, int playhead) {
+    return plan != nullptr && plan->passed_keys.size() == keys.size() && playhead >= 0 &&
+           static_cast<std::size_t>(playhead) < plan->trajectory.frames.size();
+}
+
 /// The time of the keys at a time of the trajectory, which passes them later where the limits ask.
 double keyTimeAt(double time_s, const MotionKey& before, const PassedKey& before_passed,
                  const MotionKey& after, const PassedKey& after_passed, double interval_s) {
@@ -53,25 +66,33 @@ double keyTimeAt(double time_s, const MotionKey& before, const PassedKey& before
 
 }  // namespace
 
-KeyPlacement placeKey(const std::vector<MotionKey>& keys, const Plan* plan, int playhead,
-                      int selected, const Pose& view, const planning::TimingParams& timing) {
-    if (keys.empty()) return {};
-    if (selected >= 0 && static_cast<std::size_t>(selected) < keys.size()) {
-        return {static_cast<std::size_t>(selected), 0.0};
+double timeOfNewKey(const std::vector<MotionKey>& keys, const Plan* plan, int playhead, int after,
+                    const Pose& view, const planning::TimingParams& timing) {
+    if (keys.empty()) return 0.0;
+    const double interval_s = 1.0 / timing.frame_rate;
+    const bool is_passed = isPassed(keys, plan, playhead);
+    for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+        if (after >= 0 && static_cast<std::size_t>(after) != i) continue;
+        if (is_passed && playhead > plan->passed_keys[i].frame &&
+            playhead < plan->passed_keys[i + 1].frame) {
+            const double time_s =
+                plan->trajectory.frames[static_cast<std::size_t>(playhead)].time_s;
+            return keyTimeAt(time_s, keys[i], plan->passed_keys[i], keys[i + 1],
+                             plan->passed_keys[i + 1], interval_s);
+        }
+        if (after >= 0 || (is_passed && playhead == plan->passed_keys[i].frame)) {
+            return halfway(keys[i].time_s, keys[i + 1].time_s, interval_s);
+        }
     }
-    const bool is_passed = plan != nullptr && plan->passed_keys.size() == keys.size() &&
-                           playhead >= 0 &&
-                           static_cast<std::size_t>(playhead) < plan->trajectory.frames.size();
-    for (std::size_t i = 0; is_passed && i + 1 < keys.size(); ++i) {
-        const PassedKey& before = plan->passed_keys[i];
-        const PassedKey& after = plan->passed_keys[i + 1];
-        if (playhead == before.frame) return {i, 0.0};
-        if (playhead <= before.frame || playhead >= after.frame) continue;
-        const double time_s = plan->trajectory.frames[static_cast<std::size_t>(playhead)].time_s;
-        return {std::nullopt,
-                keyTimeAt(time_s, keys[i], before, keys[i + 1], after, 1.0 / timing.frame_rate)};
-    }
-    return {std::nullopt, timeAfterLast(keys, view, timing)};
+    return timeAfterLast(keys, view, timing);
+}
+
+std::optional<std::size_t> keyAtPlayhead(const std::vector<MotionKey>& keys, const Plan* plan,
+                                         int playhead) {
+    if (!isPassed(keys, plan, playhead)) return std::nullopt;
+    const auto at = std::ranges::find(plan->passed_keys, playhead, &PassedKey::frame);
+    if (at == plan->passed_keys.end()) return std::nullopt;
+    return static_cast<std::size_t>(at - plan->passed_keys.begin());
 }
 
 }  // namespace dollytrack::editor

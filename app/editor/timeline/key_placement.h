@@ -10,19 +10,17 @@
 
 namespace dollytrack::editor {
 
-/// Where a key that is recorded from a view goes among the keys of the camera path.
-struct KeyPlacement {
-    std::optional<std::size_t> replaces;  // index of the key that it replaces
-    double time_s = 0.0;                  // otherwise: its time
-};
+/// The time of a new key, which never replaces another one. With a key `after` (index; -1: none) it
+/// lies between that key and the next: at the playhead's time, on a whole frame, if the playhead is
+/// between them, else halfway. Without one, the playhead's time decides in the same way, also where
+/// it is on a key. After the last key it is as much later as the motion limits need. `plan` is the
+/// plan of these keys; null: it is still being made, and the playhead does not count.
+[[nodiscard]] double timeOfNewKey(const std::vector<MotionKey>& keys, const Plan* plan,
+                                  int playhead, int after, const Pose& view,
+                                  const planning::TimingParams& timing);
 
-/// The place of a new key. It replaces the selected key, or the key at the playhead unless that is
-/// the last one. Between two keys it gets the playhead's time, on a whole frame. Otherwise it
-/// follows the last key, as much later as the motion limits need. `plan` is the plan of these keys;
-/// null: it is still being made, and the key follows the last one. `selected` is an index; -1:
-/// none.
-[[nodiscard]] KeyPlacement placeKey(const std::vector<MotionKey>& keys, const Plan* plan,
-                                    int playhead, int selected, const Pose& view,
-                                    const planning::TimingParams& timing);
+/// The key that the playhead is on, if any.
+[[nodiscard]] std::optional<std::size_t> keyAtPlayhead(const std::vector<MotionKey>& keys,
+                                                       const Plan* plan, int playhead);
 
 }  // namespace dollytrack::editor

@@ -1,5 +1,6 @@
 #include "app/editor/timeline/plan_timeline.h"
 
+#include "planning/motions/colliding_frames.h"
 #include "ui/panels/timeline/timeline_data.h"
 
 #include <utility>
@@ -20,6 +21,7 @@ bool PlanTimeline::follow(const Scene* scene, std::shared_ptr<const Plan> plan) 
             times_s_.push_back(frame.time_s);
         }
     }
+    collisions_ = seen_ != nullptr ? planning::collidingFrames(*seen_) : std::vector<int>();
     keys_.clear();
     bands_.clear();
     if (seen_ != nullptr && scene != nullptr) {

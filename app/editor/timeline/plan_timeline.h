@@ -29,6 +29,8 @@ class PlanTimeline {
     [[nodiscard]] bool qualityPending() const { return quality_pending_; }
     [[nodiscard]] const std::vector<ui::TimelineKey>& keys() const { return keys_; }
     [[nodiscard]] const std::vector<ui::TimelineBand>& bands() const { return bands_; }
+    /// The first frame of each collision of a given motion.
+    [[nodiscard]] const std::vector<int>& collisions() const { return collisions_; }
     [[nodiscard]] const std::vector<double>& times() const { return times_s_; }
     /// Increases with every plan.
     [[nodiscard]] std::uint64_t serial() const { return serial_; }
@@ -40,6 +42,7 @@ class PlanTimeline {
     bool quality_pending_ = false;
     std::uint64_t serial_ = 0;
     std::vector<double> times_s_;  // times of the frames
+    std::vector<int> collisions_;
     std::vector<ui::TimelineKey> keys_;
     std::vector<ui::TimelineBand> bands_;
 };

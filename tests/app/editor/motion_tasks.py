@@ -38,6 +38,15 @@ class Motions(Task):
         # The sofa ends at x = 0.9 m; the camera is a sphere of 0.1 m.
         inside = [frame for frame in given if frame[1] < 1.0]
         self.assertGreaterEqual(state["plan"]["moves_in_collision"], len(inside))
+        # The red count leads to the collision, and so do the keys.
+        self.editor.key("ctrl+end")
+        self.editor.reach("edits.motion.collisions", "edits.boxes")
+        first = self.editor.click("edits.motion.collisions")["frame"]
+        self.assertLessEqual(given[first][1], 1.0)
+        self.editor.key("ctrl+end")
+        self.assertEqual(self.editor.key("ctrl+left")["frame"], first)
+        self.editor.key("ctrl+end")
+        self.assertEqual(self.editor.key("ctrl+right")["frame"], first, "the first follows")
         self.editor.reach("edits.motion.repair", "edits.boxes")
         self.editor.click("edits.motion.repair")
         self.editor.wait(lambda now: now["edits"]["motion"]["frames"] != given, "the repair")
@@ -65,22 +74,69 @@ class Motions(Task):
         # y up: the second coordinate of the file is the height.
         self.assertAlmostEqual(turned[0][3], -1.5, places=6)
         self.select_row(SOFA)
-        self.editor.click("tab.by hand")
-        self.editor.click("edits.motion.orbit")
+        self.make_move("orbit")
+        self.dismiss("cancel")
+        self.assertEqual(self.editor.idle()["edits"]["motion"]["frames"], turned)
+        self.make_move("orbit")
+        self.dismiss("replace")
         self.editor.wait(lambda now: now["edits"]["motion"]["frames"] != turned, "the orbit")
         self.assertNotIn("edits.motion.world", self.editor.idle()["items"])
 
+    def make_move(self, kind):
+        self.editor.click("tab.by hand")
+        self.editor.reach("edits.motion." + kind, "edits.boxes")
+        self.editor.click("edits.motion." + kind)
+        self.editor.reach("edits.move.make", "edits.boxes")
+        self.editor.click("edits.move.make")
+
+    def eyes(self):
+        return [frame[1:4] for frame in self.editor.state()["edits"]["motion"]["frames"]]
+
     def test_an_orbit_of_the_selected_object(self):
         self.start_room()
-        self.editor.click("tab.by hand")
-        self.assertFalse(self.editor.item("edits.motion.orbit")[4])
         self.select_row(SOFA)
-        self.editor.click("tab.by hand")
-        self.editor.click("edits.motion.orbit")
+        self.make_move("orbit")
         self.editor.wait(lambda now: now["edits"].get("motion"), "the orbit")
         state = self.editor.idle()
         self.assertGreater(state["plan"]["frames"], 10)
         self.assertEqual(state["plan"]["moves_in_collision"], 0)
+
+    def test_moves_without_an_object(self):
+        self.start_room()
+        for kind in ("orbit", "walk", "crane"):
+            before = self.editor.state()["edits"].get("motion")
+            self.make_move(kind)
+            self.editor.wait(lambda now: now["edits"].get("motion") != before, kind)
+            state = self.editor.idle()
+            self.assertGreater(state["plan"]["frames"], 10, kind)
+            self.assertEqual(state["plan"]["moves_in_collision"], 0, kind)
+
+    def test_the_settings_of_a_move(self):
+        self.start_room()
+        self.select_row(SOFA)
+        self.make_move("orbit")
+        self.editor.wait(lambda now: now["edits"].get("motion"), "the orbit")
+        self.editor.idle()
+        first = self.eyes()
+        self.editor.reach("edits.move.height.set", "edits.boxes")
+        self.editor.click("edits.move.height.set")
+        self.editor.type_value("edits.move.height", "1.4")
+        self.editor.reach("edits.move.make", "edits.boxes")
+        self.editor.click("edits.move.make")
+        self.editor.wait(lambda now: now["edits"]["motion"]["name"] == "orbit:height=1.4",
+                         "the higher orbit")
+        self.editor.idle()
+        self.assertNotEqual(self.eyes(), first)
+        for x, y, z in self.eyes():
+            self.assertAlmostEqual(z, 1.4, delta=0.11)
+        # Errors name the widget.
+        self.editor.click("edits.motion.walk")
+        self.editor.reach("edits.move.from.set", "edits.boxes")
+        self.editor.click("edits.move.from.set")
+        self.editor.reach("edits.move.make", "edits.boxes")
+        self.editor.click("edits.move.make")
+        self.assertIn("From, To: A move between two points needs both.", self.notice())
+        self.dismiss("ok")
 
     def test_a_file_that_is_no_path_is_refused(self):
         before = self.start_room()
@@ -174,7 +230,7 @@ class CameraKeys(Task):
         before = self.keys()
         self.editor.click("timeline.camera_key.0")
         self.look(-90)
-        self.editor.key("k")
+        self.editor.key("shift+k")
         self.editor.wait(lambda now: now["edits"]["motion"]["keys"] != before, "the other view")
         self.editor.idle()
         now = self.keys()
@@ -193,6 +249,30 @@ class CameraKeys(Task):
         for a, b in zip(eye, now[0][1:4]):
             self.assertAlmostEqual(a, b, places=3)
 
+    def test_a_key_is_added_after_the_selected_one(self):
+        self.record(2)
+        before = self.keys()
+        self.editor.click("tab.by hand")
+        self.editor.click("edits.motion.key.0.select")
+        self.look(-90)
+        self.editor.click("edits.motion.add_key")
+        state = self.editor.wait(lambda now: len(now["edits"]["motion"]["keys"]) == 3, "the key")
+        # The next one follows it, also before the plan is ready.
+        self.look(-90)
+        self.editor.key("k")
+        self.editor.wait(lambda now: len(now["edits"]["motion"]["keys"]) == 4, "the key")
+        state = self.editor.idle()
+        now = self.keys()
+        self.assertEqual([now[0], now[3]], before)
+        self.assertLess(now[0][0], now[1][0])
+        self.assertLess(now[1][0], now[2][0])
+        self.assertEqual(sorted(key[0] for key in now), [key[0] for key in now])
+        self.assertNotEqual(now[1][4:], now[2][4:])
+        self.editor.key("ctrl+z")
+        self.editor.key("ctrl+z")
+        self.editor.idle()
+        self.assertEqual(self.keys(), before)
+
     def test_keys_too_close_in_time_get_reachable_times(self):
         self.record(2)
         self.editor.click("tab.by hand")
@@ -205,3 +285,101 @@ class CameraKeys(Task):
         self.editor.click("edits.motion.fit_keys")
         self.editor.wait(lambda now: now["camera_keys"][1]["note"] == "", "the reachable time")
         self.assertAlmostEqual(self.keys()[1][0], late["reached_s"], places=6)
+
+    def test_a_move_follows_the_keys_or_replaces_them(self):
+        self.record(2)
+        before = self.keys()
+        self.editor.click("tab.by hand")
+
+        def make():
+            self.editor.reach("edits.motion.walk", "edits.boxes")
+            self.editor.click("edits.motion.walk")
+            self.editor.reach("edits.move.make", "edits.boxes")
+            self.editor.click("edits.move.make")
+            self.editor.item("message.append")
+        make()
+        self.dismiss("cancel")
+        self.assertEqual(self.keys(), before)
+        make()
+        self.dismiss("append")
+        self.editor.wait(lambda now: len(now["edits"]["motion"]["keys"]) > 4, "further keys")
+        state = self.editor.idle()
+        longer = self.keys()
+        self.assertEqual(longer[:2], before)
+        self.assertEqual([key[0] for key in longer], sorted(key[0] for key in longer))
+        for key in state["camera_keys"]:
+            self.assertNotIn("reached at", key["note"])
+        self.editor.key("ctrl+z")
+        self.editor.idle()
+        self.assertEqual(self.keys(), before)
+        make()
+        self.dismiss("replace")
+        self.editor.wait(lambda now: now["edits"]["motion"].get("frames"), "the walk")
+        self.editor.idle()
+        self.editor.key("ctrl+z")
+        self.editor.idle()
+        self.assertEqual(self.keys(), before)
+
+    def test_a_key_where_no_camera_can_be_is_named_and_moved(self):
+        self.start_room()
+        self.show_preview(False)
+        self.editor.key("home")  # from outside, through cut-away walls
+        self.editor.key("k")
+        state = self.editor.wait(lambda now: "key_blocked" in now["items"], "the warning", 10)
+        self.assertIn("outside the rooms", state["camera_keys"][0]["note"] or "outside the rooms")
+        self.editor.idle()
+        self.editor.click("tab.by hand")
+        self.editor.item("edits.motion.key.0.free")
+        outside = self.keys()[0]
+        self.editor.click("key_blocked.2")
+        self.editor.wait(lambda now: now["edits"]["motion"]["keys"][0] != outside, "another place")
+        state = self.editor.idle()
+        self.assertEqual(state["camera_keys"][0]["note"], "")
+        self.assertEqual(self.keys()[0][4:], outside[4:], "the direction stays")
+        self.assertNotIn("key_blocked", state["items"])
+        self.editor.key("ctrl+z")
+        self.editor.idle()
+        self.assertEqual(self.keys()[0], outside)
+
+    def test_keys_over_the_viewport_press_no_button_of_a_panel(self):
+        self.record(2)
+        before = self.keys()
+        self.editor.click("tab.by hand")
+        self.editor.click("edits.motion.key.0.go_to")
+        away = self.editor.state()["camera"]
+        self.editor.point("viewport")
+        # To the right of the clicked button is the one that removes the key.
+        for key in ("right", "home", "alt+a"):
+            state = self.editor.key(key)
+            if key == "home":
+                self.assertNotEqual(state["camera"], away, "it shows everything")
+            self.assertTrue(self.editor.key("space")["playing"], key)
+            self.assertFalse(self.editor.key("space")["playing"], key)
+            self.editor.idle()
+            self.assertEqual(self.keys(), before, key)
+        self.assertFalse(self.editor.state()["playing"])
+
+    def test_tab_moves_between_the_widgets_until_the_mouse_is_used(self):
+        self.record(2)
+        before = self.keys()
+        self.editor.click("tab.by hand")
+        self.editor.click("edits.motion.key.0.select")
+        self.editor.key("tab")
+        self.editor.key("esc")
+        # Leaving a field with Escape ends it; the keys are shortcuts again.
+        self.assertTrue(self.editor.key("space")["playing"])
+        self.assertFalse(self.editor.key("space")["playing"])
+        frame = self.editor.state()["frame"]
+        with self.editor.held("ctrl"):
+            self.editor.key("tab")
+        self.editor.key("down")
+        self.editor.key("space")
+        state = self.editor.key("right")
+        self.assertEqual((state["frame"], state["playing"]), (frame, False))
+        left, top = self.editor.item("viewport")[:2]
+        self.editor.point((left + 40, top + 40))
+        self.editor.point((left + 60, top + 60))
+        self.assertTrue(self.editor.key("space")["playing"])
+        self.editor.key("space")
+        self.editor.idle()
+        self.assertEqual(self.keys(), before)

@@ -226,6 +226,32 @@ class Repair(FolderCase):
         self.assertFails(run("repair", self.room, "--move", "walk", "--no-repair", "-o", project), 2,
                          "--no-repair")
 
+    def test_a_move_follows_the_keys_of_a_project(self):
+        project = self.folder / "keys.dolly"
+        for i, x in enumerate((1.5, 2.5)):
+            done = run("edit", project if i else self.room, "-o", project, "--op", json.dumps(
+                {"op": "add_camera_key", "time_s": 6.0 * i, "position": [x, -1.5, 0.5],
+                 "target": [x, 0.0, 0.5]}))
+            self.assertEqual(done.returncode, 0, done.stderr)
+        before = json.loads(project.read_text())["edits"]["motion"]["keys"]
+        self.assertFails(run("repair", project, "--append"), 2, "--move")
+        done = run("repair", project, "--move", "walk", "--append", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        keys = json.loads(project.read_text())["edits"]["motion"]["keys"]
+        self.assertEqual(keys[:2], before)
+        self.assertGreater(len(keys), 4)
+        times = [key[0] for key in keys]
+        self.assertEqual(times, sorted(set(times)))
+        report = json.loads(done.stdout)
+        for key in report["keys"]:
+            self.assertLess(key["reached_s"] - key["time_s"], 0.1)
+        # Without --append the move replaces them.
+        done = run("repair", project, "--move", "walk:height=1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        motion = json.loads(project.read_text())["edits"]["motion"]
+        self.assertEqual(motion["name"], "walk:height=1")
+        self.assertNotIn("keys", motion)
+
     def test_a_project_is_repaired_again_after_an_object_has_moved(self):
         _, _, motion, project = self.repair(self.write("free.txt", self.free))
         moved = self.folder / "moved.dolly"

@@ -31,7 +31,7 @@ BaselineScene mapped(Scene scene) {
     return std::move(*made);
 }
 
-Result<RepairedMotion> made(const BaselineScene& scene, const std::string& text) {
+Result<CameraMove> made(const BaselineScene& scene, const std::string& text) {
     return parseMove(text).and_then(
         [&](const MoveRequest& request) { return makeMove(scene, {}, request, {}); });
 }
@@ -94,7 +94,8 @@ TEST(CameraMoves, MakesEveryKindWithDefaults) {
     const BaselineScene scene = mapped(roomWithStool());
     for (const char* text : {"orbit:target=stool", "arc:target=stool", "dolly:target=stool",
                              "crane:target=stool,radius=1.2", "dolly:from=1;1;1,to=1;5;1",
-                             "walk:from=1;3;1.2,to=5;3;1.2", "arc:target=st*,arc=45,time=20"}) {
+                             "walk:from=1;3;1.2,to=5;3;1.2", "arc:target=st*,arc=45,time=20",
+                             "orbit", "arc", "dolly", "crane", "walk", "orbit:center=3;3;0.3"}) {
         SCOPED_TRACE(text);
         const auto move = made(scene, text);
         ASSERT_TRUE(move) << describe(move.error());
@@ -102,6 +103,55 @@ TEST(CameraMoves, MakesEveryKindWithDefaults) {
         if (std::string(text).find("stool") == std::string::npos) continue;
         EXPECT_LT(largestMiss(move->trajectory, {3.0, 3.0, 0.3}), 1e-6);
     }
+}
+
+// Two shelves stand where the camera would fly.
+TEST(CameraMoves, AnOrbitAvoidsObstaclesByItsRadiusAndHeight) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {6, 6, 2.6});
+    builder.object("stool").box({3.0, 3.0, 0.3}, {0.4, 0.4, 0.6});
+    builder.object("shelf").box({3.0, 4.6, 1.3}, {3.0, 0.4, 2.6});
+    builder.object("cupboard").box({3.0, 1.4, 1.3}, {3.0, 0.4, 2.6});
+    const BaselineScene scene = mapped(builder.build());
+    const auto move = made(scene, "orbit:target=stool,radius=2,height=1");
+    ASSERT_TRUE(move) << describe(move.error());
+    expectSound(scene, move->trajectory);
+    EXPECT_NE(move->note.find("radius"), std::string::npos) << move->note;
+    double turned = 0.0;
+    const auto& frames = move->trajectory.frames;
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        const Vector3d a = frames[i - 1].pose.position - Vector3d(3.0, 3.0, 1.0);
+        const Vector3d b = frames[i].pose.position - Vector3d(3.0, 3.0, 1.0);
+        turned += std::abs(std::remainder(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x()),
+                                          2.0 * std::numbers::pi));
+    }
+    EXPECT_GT(turned, 1.9 * std::numbers::pi) << "all around, nearer";
+    EXPECT_TRUE(made(scene, "orbit:target=stool,radius=1,height=1")->note.empty());
+}
+
+TEST(CameraMoves, WalksAcrossTheOnlyRoom) {
+    const BaselineScene scene = mapped(roomWithStool());
+    const auto move = made(scene, "walk");
+    ASSERT_TRUE(move) << describe(move.error());
+    const auto& frames = move->trajectory.frames;
+    EXPECT_GT((frames.back().pose.position - frames.front().pose.position).norm(), 3.0);
+}
+
+TEST(CameraMoves, TheTextOfARequestIsReadBack) {
+    MoveRequest request;
+    request.kind = "walk";
+    request.options["from"] = optionText(Vector3d(1.0, -2.25, 1.0 / 3.0));
+    request.options["height"] = optionText(1.5);
+    const std::string text = moveText(request);
+    EXPECT_EQ(text, "walk:from=1;-2.25;0.333,height=1.5");
+    const auto again = parseMove(text);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->options, request.options);
+    const auto values = readMove(*again);
+    ASSERT_TRUE(values);
+    EXPECT_LT((*values->point("from") - Vector3d(1.0, -2.25, 0.333)).norm(), 1e-9);
+    EXPECT_EQ(values->number("height", 0.0), 1.5);
+    EXPECT_EQ(settingLabel("from_height"), "From height");
 }
 
 TEST(CameraMoves, WalksThroughTheDoor) {
@@ -120,19 +170,26 @@ TEST(CameraMoves, RefusesWhatIsImpossible) {
     EXPECT_EQ(codeOf(scene, "orbit:target=stool,radius=wide"), ErrorCode::Usage);
     EXPECT_EQ(codeOf(scene, "orbit:target=stool,radius=-1"), ErrorCode::Usage);
     EXPECT_EQ(codeOf(scene, "orbit:target="), ErrorCode::Usage);
-    EXPECT_EQ(codeOf(scene, "orbit"), ErrorCode::Usage);
+    EXPECT_EQ(codeOf(scene, "orbit:radius=2000"), ErrorCode::Usage);
+    EXPECT_EQ(codeOf(scene, "orbit:target=stool,center=1;1;1"), ErrorCode::Usage);
     EXPECT_EQ(codeOf(scene, "dolly:from=1;1,to=1;5;1"), ErrorCode::Usage);
     EXPECT_EQ(codeOf(scene, "dolly:from=1;1;1"), ErrorCode::Usage);
     EXPECT_EQ(codeOf(scene, "orbit:target=sofa"), ErrorCode::BadInput);
-    EXPECT_EQ(codeOf(scene, "orbit:target=stool,radius=9"), ErrorCode::BadInput);
-    EXPECT_EQ(codeOf(scene, "walk"), ErrorCode::BadInput);
+    EXPECT_EQ(codeOf(scene, "orbit:target=stool,radius=900"), ErrorCode::BadInput);
+    const auto half = made(scene, "walk:from=1;1;1");
+    ASSERT_FALSE(half);
+    EXPECT_EQ(half.error().where, "from, to") << "for the window's labels";
     EXPECT_NE(parseMove("orbitt").error().message.find("'orbit'"), std::string::npos);
 }
 
 TEST(CameraMoves, HelpNamesEveryKindAndOption) {
     const std::string help = moveHelp();
-    for (const char* word : {"orbit", "arc", "dolly", "crane", "walk", "target=", "radius="}) {
-        EXPECT_NE(help.find(word), std::string::npos) << word;
+    for (const MoveKind& kind : moveKinds()) {
+        EXPECT_NE(help.find(std::string(kind.name) + ":"), std::string::npos) << kind.name;
+        for (const MoveSetting& setting : kind.settings) {
+            EXPECT_NE(help.find(std::string(setting.name) + "="), std::string::npos);
+            EXPECT_FALSE(setting.info.text.empty()) << setting.name;
+        }
     }
 }
 

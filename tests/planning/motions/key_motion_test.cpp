@@ -231,8 +231,10 @@ TEST(KeyMotion, AKeyOutsideIsShownAndNamed) {
     const BaselineScene scene = mapped(roomWithPillar());
     const KeyMotion one = moved(scene, {key(0.0, {-5.0, -5.0, 8.0}, {3.0, 2.0, 1.0})});
     ASSERT_EQ(one.trajectory.frames.size(), 1U);
-    EXPECT_EQ(one.passed[0].note,
-              "Key 1 is outside the rooms: the camera passes there; move the key.");
+    EXPECT_EQ(one.passed[0].note.find("Key 1 is outside the rooms: the camera passes there; move "
+                                      "the key, for example to 0."),
+              0U)
+        << one.passed[0].note << " The nearest place is in a corner of the room.";
     const KeyMotion inside = moved(scene, {slowKeys().front()});
     EXPECT_EQ(inside.passed[0].note, "");
     EXPECT_EQ(inside.trajectory.frames.size(), 1U);
@@ -267,8 +269,8 @@ TEST(KeyMotion, SaysWhichFreeKeyIsNotReached) {
     EXPECT_GT(beside_m, 0.3) << "the wall with the camera's radius on both sides";
     EXPECT_EQ(made.passed[2].note,
               fmt::format("Key 3 is not reached: the camera passes at a distance of {:.3f} m; move "
-                          "it. It is passed {:.2f} s late.",
-                          beside_m, made.passed[2].time_s - keys[2].time_s));
+                          "it.",
+                          beside_m));
 }
 
 TEST(KeyMotion, RoundingToFramesIsNoDelay) {
@@ -294,6 +296,48 @@ TEST(KeyMotion, ReachedTimesRise) {
     EXPECT_EQ(motion.keys[3].time_s, 5.0);
     EXPECT_EQ(motion.keys[2].pose, slowKeys()[2].pose);
     EXPECT_FALSE(findFault(motion));
+}
+
+// Around a pillar, all keys much too early: the times that are found are kept in a plan of them.
+TEST(KeyMotion, ReachableTimesAreReached) {
+    const BaselineScene scene = mapped(roomWithPillar());
+    std::vector<MotionKey> keys = {
+        key(0.0, {1.0, 2.0, 1.3}, {3.0, 2.0, 1.3}), key(0.5, {5.0, 2.0, 1.3}, {3.0, 2.0, 1.3}),
+        key(1.0, {3.0, 0.6, 1.3}, {3.0, 2.0, 1.3}), key(1.2, {3.0, 3.4, 1.3}, {3.0, 2.0, 1.3}),
+        key(90.0, {1.0, 2.0, 1.3}, {3.0, 2.0, 1.3})};
+    const auto fitted = withReachableTimes(scene, {}, keys, {});
+    ASSERT_TRUE(fitted);
+    const KeyMotion made = moved(scene, *fitted);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        EXPECT_EQ(made.passed[i].note, "") << i;
+        EXPECT_EQ((*fitted)[i].pose, keys[i].pose);
+        EXPECT_LE(made.passed[i].time_s, (*fitted)[i].time_s + kInterval_s) << i;
+        // The way around the pillar took a little less time than estimated.
+        EXPECT_GE(made.passed[i].time_s, (*fitted)[i].time_s - 0.5) << i;
+        if (i > 0) {
+            EXPECT_GT((*fitted)[i].time_s, (*fitted)[i - 1].time_s);
+        }
+    }
+    EXPECT_EQ(fitted->back().time_s, 90.0) << "it was in time";
+}
+
+TEST(KeyMotion, KeysAlongATrajectoryFollowTheOthers) {
+    const BaselineScene scene = mapped(roomWithPillar());
+    const std::vector<MotionKey> keys = slowKeys();
+    const Trajectory along = moved(scene, keys).trajectory;
+    const auto longer = withKeysAlong(keys, along, {}, {});
+    ASSERT_TRUE(longer);
+    ASSERT_GT(longer->size(), keys.size() + 15);
+    for (std::size_t i = 0; i < keys.size(); ++i) EXPECT_EQ((*longer)[i], keys[i]);
+    EXPECT_EQ((*longer)[keys.size()].pose, along.frames.front().pose);
+    EXPECT_EQ(longer->back().pose, along.frames.back().pose);
+    // From the last key back to the first at up to 0.5 m/s.
+    EXPECT_GT((*longer)[keys.size()].time_s, keys.back().time_s + 4.3 / 0.5);
+    for (std::size_t i = keys.size() + 1; i < longer->size(); ++i) {
+        EXPECT_LE((*longer)[i].time_s - (*longer)[i - 1].time_s, 1.5);
+        EXPECT_GE((*longer)[i].time_s - (*longer)[i - 1].time_s, 0.5 - 1e-9);
+    }
+    EXPECT_EQ(withKeysAlong({}, along, {}, {})->front().time_s, 0.0);
 }
 
 // Keys at one place, reversals, a turn through the vertical, roll.

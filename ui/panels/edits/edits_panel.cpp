@@ -317,7 +317,7 @@ void drawHeights(const EditsView& view, EditsActions& actions) {
 
 }  // namespace
 
-EditsActions drawEditsPanel(const EditsView& view) {
+EditsActions drawEditsPanel(const EditsView& view, MoveDraft& move) {
     EditsActions actions;
     if (view.edits == nullptr || view.scene == nullptr) {
         ImGui::TextDisabled("No project is open.");
@@ -333,7 +333,7 @@ EditsActions drawEditsPanel(const EditsView& view) {
     drawDefinitions(view);
     drawPins(view, actions);
     drawRemoved(view, actions);
-    actions.motion = drawMotionSection(view.motion);
+    actions.motion = drawMotionSection(view.motion, move);
     drawBoxes(view, actions);
     drawRegions(view, actions);
     drawHeights(view, actions);

@@ -33,6 +33,6 @@ struct EditsActions {
 };
 
 /// Draws all manual edits, with controls to change and revert them.
-EditsActions drawEditsPanel(const EditsView& view);
+EditsActions drawEditsPanel(const EditsView& view, MoveDraft& move);
 
 }  // namespace dollytrack::ui

@@ -7,12 +7,14 @@
 #include "ui/widgets/fields/drag_fields.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/icon_button.h"
+#include "ui/widgets/item_map.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace dollytrack::ui {
 namespace {
@@ -22,21 +24,73 @@ constexpr std::array kWorldNames = {
     "Usual for the format",       "Axes and unit of the scene file", "m, y up", "m, z up",
     "m, north, east, down (NED)", "m, right, down, forward"};
 
-struct Move {
-    const char* label;
-    const char* kind;
-    bool needs_object;
-    const char* tip;
-};
-constexpr std::array kMoves = {
-    Move{"Orbit", "orbit", true, "Around the selected object"},
-    Move{"Arc", "arc", true, "A quarter of an orbit around the selected object"},
-    Move{"Dolly", "dolly", true, "Straight towards the selected object"},
-    Move{"Crane", "crane", true, "Upwards in front of the selected object"},
-    Move{"Walk", "walk", false, "Through the doorways of all rooms, looking ahead"},
-};
+/// A clickable text about what is wrong.
+bool redLink(const std::string& text, const char* name, const std::string& tip) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().bad);
+    const std::string shown =
+        cutToWidth(text, std::max(ImGui::GetContentRegionAvail().x, scaled(60)), Cut::End);
+    const bool pressed = ImGui::Selectable(shown.c_str());
+    ImGui::PopStyleColor();
+    nameItem(name);
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    tooltip(tip);
+    return pressed;
+}
 
-void drawState(const MotionView& view) {
+/// "key 2", or "keys 2 and 3".
+std::string keysText(const std::vector<std::size_t>& keys) {
+    std::string text = keys.size() == 1 ? "key " : "keys ";
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (i > 0) text += i + 1 == keys.size() ? " and " : ", ";
+        text += std::to_string(keys[i] + 1);
+    }
+    return text;
+}
+
+/// The keys where the camera cannot be.
+std::vector<std::size_t> blockedKeys(const MotionView& view) {
+    std::vector<std::size_t> blocked;
+    for (std::size_t i = 0; i < view.key_states.size(); ++i) {
+        if (!view.key_states[i].why_blocked.empty()) blocked.push_back(i);
+    }
+    return blocked;
+}
+
+/// Whether the path collides and where, and whether it passes its keys.
+void drawCollisions(const MotionView& view, MotionActions& actions) {
+    int collisions = 0;
+    std::size_t segments = 0;
+    for (const SmoothPath& path : view.plan->smooth_paths) {
+        collisions += path.collisions;
+        segments += std::max<std::size_t>(path.pieces.size(), 1);
+    }
+    const std::vector<std::size_t> blocked = blockedKeys(view);
+    if (collisions > 0) {
+        if (redLink(fmt::format("\u25cb {} of {} segments between frames collide", collisions,
+                                segments),
+                    "edits.motion.collisions", "Go to the next collision (Ctrl+Right)")) {
+            actions.collision = 1;
+        }
+        if (button("Previous collision", "edits.motion.previous_collision",
+                   {.tip = "Ctrl+Left", .small = true})) {
+            actions.collision = -1;
+        }
+        flowTo("Next collision");
+        if (button("Next collision", "edits.motion.next_collision",
+                   {.tip = "Ctrl+Right", .small = true})) {
+            actions.collision = 1;
+        }
+    } else if (!blocked.empty()) {
+        paragraph(fmt::format("\u25cb The path is free of collisions, but cannot pass {}: no "
+                              "camera can be there.",
+                              keysText(blocked)),
+                  palette().bad);
+    } else {
+        ImGui::TextColored(palette().good, "\u25cf free of collisions");
+    }
+}
+
+void drawState(const MotionView& view, MotionActions& actions) {
     const GivenMotion& motion = *view.motion;
     const bool has_keys = !motion.keys.empty();
     const std::string nameless =
@@ -55,50 +109,73 @@ void drawState(const MotionView& view) {
         }
         return;
     }
-    int collisions = 0;
-    std::size_t segments = 0;
-    for (const SmoothPath& path : view.plan->smooth_paths) {
-        collisions += path.collisions;
-        segments += path.pieces.size();
-    }
-    if (collisions == 0) {
-        ImGui::TextColored(palette().good, "\u25cf free of collisions");
-    } else {
-        paragraph(
-            fmt::format("\u25cb {} of {} segments between frames collide", collisions, segments),
-            palette().bad);
-    }
+    drawCollisions(view, actions);
     if (!view.change.empty()) paragraph(view.change, palette().text_dim);
 }
 
-/// One row for each key, and what the plan could not keep of it.
+/// A dot that tells whether the camera can be at a key, and passes it as wanted.
+void drawKeyDot(const KeyState* state, const std::string& note) {
+    const bool blocked = state != nullptr && !state->why_blocked.empty();
+    const ImVec4& color = state == nullptr ? palette().text_dim
+                          : blocked        ? palette().bad
+                          : note.empty()   ? palette().good
+                                           : palette().warning;
+    ImGui::TextColored(color, blocked ? "\u25cb" : "\u25cf");
+    tooltip(state == nullptr ? "Not checked yet"
+            : blocked        ? "The key " + state->why_blocked
+            : note.empty()   ? "The camera can be here"
+                             : note);
+}
+
+/// One row for a key, and what the plan could not keep of it.
+void drawKey(const MotionView& view, std::size_t i, const std::string& note,
+             MotionActions& actions) {
+    const std::vector<MotionKey>& keys = view.motion->keys;
+    const KeyState* state = i < view.key_states.size() ? &view.key_states[i] : nullptr;
+    const std::string name = fmt::format("edits.motion.key.{}", i);
+    const bool selected = view.selected_key == static_cast<int>(i);
+    ImGui::AlignTextToFramePadding();
+    drawKeyDot(state, note);
+    ImGui::SameLine(scaled(18));
+    if (link(fmt::format("{}Key {}", selected ? "> " : "", i + 1), name + ".select",
+             "Select it; K then adds a key after it")) {
+        actions.select_key = static_cast<int>(i);
+    }
+    ImGui::SameLine(scaled(76));
+    ImGui::SetNextItemWidth(scaled(72));
+    keyTimeField(keys, i, name + ".time", actions.edit);
+    ImGui::SameLine();
+    if (button("Go to", name + ".go_to", {.tip = "Fly the viewport's view here"})) {
+        actions.look_through = keys[i].pose;
+        actions.select_key = static_cast<int>(i);
+    }
+    ImGui::SameLine();
+    if (iconButton(Icon::Close, name + ".delete", {.tip = "Remove this key"})) {
+        actions.edit.operation = removeCameraKeyOperation(i);
+    }
+    const bool blocked = state != nullptr && !state->why_blocked.empty();
+    if (!note.empty()) {
+        paragraph(note, palette().bad);
+    } else if (blocked) {
+        paragraph(fmt::format("Key {} {}.", i + 1, state->why_blocked), palette().bad);
+    }
+    if (blocked && state->free_place) {
+        const double away_m = (*state->free_place - keys[i].pose.position).norm();
+        const std::string label = fmt::format("Move it by {:.2f} m to a free place", away_m);
+        if (button(label.c_str(), name + ".free",
+                   {.tip = "The nearest place where the camera can be", .small = true})) {
+            actions.free_key = i;
+        }
+    }
+}
+
+/// One row for each key.
 void drawKeys(const MotionView& view, MotionActions& actions) {
     const std::vector<MotionKey>& keys = view.motion->keys;
     const bool checked = view.plan != nullptr && view.plan->passed_keys.size() == keys.size();
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        const std::string name = fmt::format("edits.motion.key.{}", i);
         ImGui::PushID(static_cast<int>(i));
-        const bool selected = view.selected_key == static_cast<int>(i);
-        ImGui::AlignTextToFramePadding();
-        if (link(fmt::format("{}Key {}", selected ? "\u25cf " : "", i + 1), name + ".select",
-                 "Select it; K then replaces it by the view")) {
-            actions.select_key = static_cast<int>(i);
-        }
-        ImGui::SameLine(scaled(66));
-        ImGui::SetNextItemWidth(scaled(72));
-        keyTimeField(keys, i, name + ".time", actions.edit);
-        ImGui::SameLine();
-        if (button("Go to", name + ".go_to", {.tip = "Fly the viewport's view here"})) {
-            actions.look_through = keys[i].pose;
-            actions.select_key = static_cast<int>(i);
-        }
-        ImGui::SameLine();
-        if (iconButton(Icon::Close, name + ".delete", {.tip = "Remove this key"})) {
-            actions.edit.operation = removeCameraKeyOperation(i);
-        }
-        if (checked && !view.plan->passed_keys[i].note.empty()) {
-            paragraph(view.plan->passed_keys[i].note, palette().bad);
-        }
+        drawKey(view, i, checked ? view.plan->passed_keys[i].note : std::string(), actions);
         ImGui::PopID();
     }
     if (keys.size() == 1) {
@@ -122,23 +199,6 @@ void drawWorld(const MotionView& view, MotionActions& actions) {
     int world = view.world;
     if (choiceCombo("edits.motion.world", world, kWorldNames)) actions.read_in_world = world;
     endForm();
-}
-
-void drawMoves(const MotionView& view, MotionActions& actions) {
-    ImGui::TextColored(palette().text_dim, "Make a camera move");
-    bool first = true;
-    for (const Move& move : kMoves) {
-        if (!first) flowTo(move.label);
-        first = false;
-        const bool lacks_object = move.needs_object && !view.has_object;
-        const char* why_not = !view.has_scene ? "No scene is open."
-                              : lacks_object  ? "Select one object first."
-                                              : "";
-        if (button(move.label, fmt::format("edits.motion.{}", move.kind),
-                   {.why_not = why_not, .tip = move.tip})) {
-            actions.make = move.kind;
-        }
-    }
 }
 
 }  // namespace
@@ -167,11 +227,11 @@ std::span<const char* const> motionWorlds() {
     return kWorlds;
 }
 
-MotionActions drawMotionSection(const MotionView& view) {
+MotionActions drawMotionSection(const MotionView& view, MoveDraft& move) {
     MotionActions actions;
     heading("Camera path");
     if (view.motion != nullptr) {
-        drawState(view);
+        drawState(view, actions);
         drawKeys(view, actions);
         drawWorld(view, actions);
     } else {
@@ -194,6 +254,14 @@ MotionActions drawMotionSection(const MotionView& view) {
                 .tip = "Add the viewport's view as a key frame of the camera path (K)"})) {
         actions.add_key = true;
     }
+    if (has_keys) {
+        flowTo("Replace key");
+        if (button("Replace key", "edits.motion.replace_key",
+                   {.why_not = view.why_no_replacing,
+                    .tip = "The selected key gets the viewport's view (Shift+K)"})) {
+            actions.replace_key = true;
+        }
+    }
     flowTo("Import \u2026");
     if (button("Import \u2026", "edits.motion.import",
                {.tip = "A trajectory in TUM's, KITTI's, COLMAP's or another format"})) {
@@ -212,7 +280,7 @@ MotionActions drawMotionSection(const MotionView& view) {
             actions.edit.operation = {{"op", "clear_motion"}};
         }
     }
-    drawMoves(view, actions);
+    actions.make = drawMoveForm(view.move, move);
     return actions;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/document/given_motion.h"
 #include "engine/plan/plan.h"
 #include "ui/edit_request.h"
+#include "ui/panels/edits/move_form.h"
 
 #include <cstddef>
 #include <optional>
@@ -12,20 +13,28 @@
 
 namespace dollytrack::ui {
 
+/// Whether the camera can be at a key of the camera path.
+struct KeyState {
+    std::string why_blocked;  // a phrase: "is in or too close to 'wall'"; empty: it can
+    std::optional<Eigen::Vector3d> free_place = {};  // if not: the nearest position where it can
+};
+
 /// Input of the section for one window frame.
 struct MotionView {
     const GivenMotion* motion = nullptr;  // null: the camera path is planned
     const Plan* plan = nullptr;           // made with it; null: none yet
     std::string plan_error;               // why there is none; empty if planning has not failed
     bool has_scene = false;               // whether paths can be read and made
-    bool has_object = false;              // whether one object is selected, for moves about it
     int selected_key = -1;                // index of the selected key; -1: none
-    std::string why_no_key;               // why no key can be added now; empty: it can
-    std::string change;                   // what the last repair changed; empty: none
-    bool can_read_again = false;          // whether the path is from a file
-    int world = 0;                        // its coordinate system, index in motionWorlds()
-    bool busy = false;                    // a path is being read, repaired or made
-    double fraction = 0.0;                // of that, 0..1
+    std::vector<KeyState> key_states;     // of the keys; empty: not known yet
+    MoveFormView move;
+    std::string why_no_key;        // why no key can be added now; empty: it can
+    std::string why_no_replacing;  // the same of replacing a key by the view
+    std::string change;            // what the last repair changed; empty: none
+    bool can_read_again = false;   // whether the path is from a file
+    int world = 0;                 // its coordinate system, index in motionWorlds()
+    bool busy = false;             // a path is being read, repaired or made
+    double fraction = 0.0;         // of that, 0..1
     std::string stage;
 };
 
@@ -35,11 +44,14 @@ struct MotionActions {
     bool import = false;  // ask for a file
     bool repair = false;
     bool cancel = false;
-    int read_in_world = -1;  // read the file again, in this coordinate system; -1: no
-    std::string make;        // kind of the move to make, about the selected object; empty: none
-    bool add_key = false;    // from the viewport's view
-    bool fit_keys = false;   // give all keys the times at which they are reached
-    int select_key = -1;     // index of a key; -1: none
+    int read_in_world = -1;               // read the file again, in this coordinate system; -1: no
+    bool make = false;                    // the camera move that the form describes
+    bool add_key = false;                 // from the viewport's view
+    bool replace_key = false;             // the selected key, by the viewport's view
+    bool fit_keys = false;                // give all keys the times at which they are reached
+    int select_key = -1;                  // index of a key; -1: none
+    std::optional<std::size_t> free_key;  // index of a key to move to its free place
+    int collision = 0;  // go to the next collision (1) or the previous one (-1); 0: no
     std::optional<Pose> look_through;
 };
 
@@ -53,6 +65,6 @@ void keyTimeField(const std::vector<MotionKey>& keys, std::size_t key, const std
 [[nodiscard]] nlohmann::json removeCameraKeyOperation(std::size_t key);
 
 /// Draws the section on the given camera motion: import, repair, moves made from templates.
-MotionActions drawMotionSection(const MotionView& view);
+MotionActions drawMotionSection(const MotionView& view, MoveDraft& move);
 
 }  // namespace dollytrack::ui

@@ -106,8 +106,10 @@ void drawCameraKey(const SelectionView& view, SelectionActions& actions) {
     const auto at = static_cast<std::size_t>(view.selection->index);
     const std::string title = "Key " + std::to_string(at + 1) + " of the camera path";
     heading(title.c_str());
-    paragraph("The camera passes this view at its time. K replaces it by the view of the viewport.",
-              palette().text_dim);
+    paragraph(
+        "The camera passes this view at its time. Shift+K replaces it by the view of the viewport, "
+        "K adds another key after it.",
+        palette().text_dim);
     if (beginForm("camera key")) {
         formLabel("Time", "Between the times of the keys before and after it");
         keyTimeField(keys, at, "selection.key.time", actions.edit);

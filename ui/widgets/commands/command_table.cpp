@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 
 namespace dollytrack::ui {
 namespace {
@@ -66,7 +67,15 @@ bool pressedElsewhere(int key, const CommandTable::KeySigns& signs) {
     return false;
 }
 
-/// Whether the keys were pressed this frame and no text field uses them itself.
+/// Whether a key moves between widgets, or presses one, while the user does so with the keyboard.
+bool movesFocus(int key) {
+    constexpr std::array kKeys = {
+        GLFW_KEY_SPACE, GLFW_KEY_ENTER, GLFW_KEY_LEFT, GLFW_KEY_RIGHT,   GLFW_KEY_UP,
+        GLFW_KEY_DOWN,  GLFW_KEY_HOME,  GLFW_KEY_END,  GLFW_KEY_PAGE_UP, GLFW_KEY_PAGE_DOWN};
+    return std::ranges::find(kKeys, key) != kKeys.end();
+}
+
+/// Whether the keys were pressed this frame and no text field or focused widget uses them itself.
 bool isPressed(const Shortcut& keys, const CommandTable::KeySigns& signs) {
     const ImGuiIO& io = ImGui::GetIO();
     // Only stepping and undo shortcuts repeat while a key is held.
@@ -76,11 +85,13 @@ bool isPressed(const Shortcut& keys, const CommandTable::KeySigns& signs) {
     if (keys.ctrl != io.KeyCtrl || keys.alt != io.KeyAlt) return false;
     const bool pressed = ImGui::IsKeyPressed(keys.key, repeats);
     if (!pressed && !(keys.ctrl && pressedElsewhere(keys.key, signs))) return false;
+    if (io.NavVisible && !keys.ctrl && movesFocus(keys.key)) return false;
     // On many keyboards + needs Shift.
     if (keys.shift != io.KeyShift && keys.key != GLFW_KEY_EQUAL) return false;
     // While a text field has the keyboard, keys it uses itself are not shortcuts.
     const bool edits_text = keys.ctrl && (keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y ||
-                                          keys.key == GLFW_KEY_HOME || keys.key == GLFW_KEY_END);
+                                          keys.key == GLFW_KEY_HOME || keys.key == GLFW_KEY_END ||
+                                          keys.key == GLFW_KEY_LEFT || keys.key == GLFW_KEY_RIGHT);
     return !(io.WantTextInput && (edits_text || (!keys.ctrl && keys.key < GLFW_KEY_F1)));
 }
 

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "engine/core/fields.h"
+#include "engine/core/result.h"
+
+#include <Eigen/Core>
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// One setting of a camera move. The command line's options, the window's form and the help are
+/// made from it.
+struct MoveSetting {
+    enum class Kind { Number, Point, Object };
+    std::string_view name;  // "radius"
+    Kind kind = Kind::Number;
+    FieldInfo info;      // Number: limits and unit; all: what it is, and what holds without it
+    double usual = 0.0;  // Number: where a widget begins
+};
+
+struct MoveKind {
+    std::string_view name;  // "orbit"
+    std::string_view text;
+    std::vector<MoveSetting> settings;
+};
+
+/// All kinds of camera moves.
+[[nodiscard]] std::span<const MoveKind> moveKinds();
+[[nodiscard]] const MoveKind* findMoveKind(std::string_view name);
+
+/// A camera move made from a template, for example "orbit:target=sofa,radius=1.5". What is not
+/// given is chosen to fit the scene.
+struct MoveRequest {
+    std::string kind;
+    std::map<std::string, std::string> options;
+    std::optional<int> object_id = {};  // object that the move is about, instead of `target`
+};
+
+/// Reads a request. Errors: Usage for an unknown kind or option, with the closest name.
+Result<MoveRequest> parseMove(const std::string& text);
+
+/// The request as parseMove() reads it, without the object's id.
+[[nodiscard]] std::string moveText(const MoveRequest& request);
+
+/// The settings of a request, read and checked. Errors: Usage for a value that cannot be read or is
+/// out of range; `where` is the setting.
+struct MoveValues {
+    std::map<std::string, double, std::less<>> numbers;
+    std::map<std::string, Eigen::Vector3d, std::less<>> points;
+
+    [[nodiscard]] bool has(std::string_view name) const { return numbers.contains(name); }
+    [[nodiscard]] double number(std::string_view name, double otherwise) const;
+    [[nodiscard]] std::optional<Eigen::Vector3d> point(std::string_view name) const;
+};
+Result<MoveValues> readMove(const MoveRequest& request);
+
+/// Reads an option's text; empty if it is no number or no point.
+[[nodiscard]] std::optional<double> readNumber(std::string_view text);
+[[nodiscard]] std::optional<Eigen::Vector3d> readPoint(std::string_view text);
+
+/// The text of an option, rounded to a thousandth.
+[[nodiscard]] std::string optionText(double value);
+[[nodiscard]] std::string optionText(const Eigen::Vector3d& point);
+
+/// The name of a setting as a label: "From height".
+[[nodiscard]] std::string settingLabel(std::string_view name);
+
+/// Kinds of moves and their settings, a line each.
+[[nodiscard]] std::string moveHelp();
+
+}  // namespace dollytrack::planning

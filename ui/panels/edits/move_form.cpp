@@ -1,0 +1,131 @@
+#include "ui/panels/edits/move_form.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/fields/drag_fields.h"
+#include "ui/widgets/form.h"
+#include "ui/widgets/item_map.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace dollytrack::ui {
+namespace {
+
+using planning::MoveSetting;
+using Options = std::map<std::string, std::string>;
+
+std::string itemName(const MoveSetting& setting) {
+    return fmt::format("edits.move.{}", setting.name);
+}
+
+/// The box that sets an option to `text`, or leaves it to the program. Returns whether it is set.
+bool drawSwitch(const MoveSetting& setting, const std::string& text, Options& options) {
+    const std::string name(setting.name);
+    bool set = options.contains(name);
+    if (ImGui::Checkbox(("##set" + name).c_str(), &set)) {
+        if (set) {
+            options[name] = text;
+        } else {
+            options.erase(name);
+        }
+    }
+    nameItem(itemName(setting) + ".set", true);
+    tooltip(set ? "Set; otherwise it is chosen to fit the scene" : "Chosen to fit the scene");
+    ImGui::SameLine();
+    if (set) return true;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(palette().text_dim, "automatic");
+    return false;
+}
+
+void drawNumber(const MoveSetting& setting, Options& options) {
+    if (!drawSwitch(setting, planning::optionText(setting.usual), options)) return;
+    std::string& text = options[std::string(setting.name)];
+    const auto read = planning::readNumber(text);
+    double value = read.value_or(setting.usual);
+    const bool degrees = setting.info.unit == "\u00b0";
+    const std::string unit = (degrees ? "" : " ") + std::string(setting.info.unit);
+    ImGui::SetNextItemWidth(-1.0F);
+    const FieldEdit edit = dragNumber(value,
+                                      {setting.info.min, setting.info.max, degrees ? 1.0F : 0.02F,
+                                       degrees ? "%.0f" : "%.2f", unit.c_str()},
+                                      itemName(setting), std::string(setting.info.text));
+    if (edit.changed) text = planning::optionText(value);
+}
+
+void drawPoint(const MoveSetting& setting, const Eigen::Vector3d& here, Options& options) {
+    if (!drawSwitch(setting, planning::optionText(here), options)) return;
+    std::string& text = options[std::string(setting.name)];
+    Eigen::Vector3d point = planning::readPoint(text).value_or(here);
+    if (button("Here", itemName(setting) + ".here", {.tip = "Take it from the viewport"})) {
+        point = here;
+        text = planning::optionText(here);
+    }
+    if (dragPoint(point, kPlaceRange, itemName(setting), std::string(setting.info.text)).changed) {
+        text = planning::optionText(point);
+    }
+}
+
+void drawSetting(const MoveFormView& view, const MoveSetting& setting, Options& options) {
+    const std::string label = planning::settingLabel(setting.name);
+    formLabel(label.c_str(), std::string(setting.info.text));
+    switch (setting.kind) {
+        case MoveSetting::Kind::Number:
+            return drawNumber(setting, options);
+        case MoveSetting::Kind::Point:
+            // A move begins or ends where the view is, and turns about what the view turns about.
+            return drawPoint(setting, setting.name == "center" ? view.pivot : view.eye, options);
+        case MoveSetting::Kind::Object:
+            ImGui::AlignTextToFramePadding();
+            ImGui::TextColored(
+                view.target.empty() ? palette().text_dim : palette().accent, "%s",
+                view.target.empty() ? "middle of the largest room" : view.target.c_str());
+            nameItem(itemName(setting), true);
+    }
+}
+
+}  // namespace
+
+planning::MoveRequest MoveDraft::request() const {
+    planning::MoveRequest request;
+    request.kind = kind;
+    if (const auto set = options.find(kind); set != options.end()) request.options = set->second;
+    return request;
+}
+
+bool drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
+    ImGui::TextColored(palette().text_dim, "Make a camera move");
+    bool first = true;
+    for (const planning::MoveKind& kind : planning::moveKinds()) {
+        const std::string label = planning::settingLabel(kind.name);
+        if (!first) flowTo(label.c_str());
+        first = false;
+        if (button(
+                label.c_str(), fmt::format("edits.motion.{}", kind.name),
+                {.tip = planning::settingLabel(kind.text), .primary = kind.name == draft.kind})) {
+            draft.kind = kind.name;
+        }
+    }
+    const planning::MoveKind* kind = planning::findMoveKind(draft.kind);
+    if (kind == nullptr) return false;
+    if (beginForm("move", 0.3F)) {
+        for (const MoveSetting& setting : kind->settings) {
+            drawSetting(view, setting, draft.options[draft.kind]);
+        }
+        endForm();
+    }
+    const std::string label = "Make " + draft.kind;
+    const bool make =
+        button(label.c_str(), "edits.move.make",
+               {.why_not = view.why_not,
+                .tip = fmt::format("{}. On the command line: dollytrack repair --move '{}'",
+                                   planning::settingLabel(kind->text),
+                                   planning::moveText(draft.request()))});
+    flowTo("Close");
+    if (!make && button("Close", "edits.move.close", {.tip = "Hide this form"})) draft.kind.clear();
+    return make;
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "planning/motions/move_settings.h"
+
+#include <Eigen/Core>
+
+#include <map>
+#include <string>
+
+namespace dollytrack::ui {
+
+/// The camera move that is being set up, kept between window frames.
+struct MoveDraft {
+    std::string kind;  // empty: none is chosen, and no form is shown
+    /// By kind: the options that are set. The others are chosen to fit the scene.
+    std::map<std::string, std::map<std::string, std::string>> options;
+
+    /// The request that the form describes, without an object.
+    [[nodiscard]] planning::MoveRequest request() const;
+};
+
+/// Input of the form for one window frame.
+struct MoveFormView {
+    std::string why_not;  // why no move can be made now; empty: one can
+    std::string target;   // name of the selected object; empty: not exactly one is selected
+    Eigen::Vector3d eye = Eigen::Vector3d::Zero();    // of the viewport's camera, m
+    Eigen::Vector3d pivot = Eigen::Vector3d::Zero();  // the point that it turns about, m
+};
+
+/// Draws the kinds of moves, and a form with all settings of the chosen one. Returns whether to
+/// make the move.
+bool drawMoveForm(const MoveFormView& view, MoveDraft& draft);
+
+}  // namespace dollytrack::ui
