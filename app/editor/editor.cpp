@@ -15,8 +15,8 @@
 namespace dollytrack::editor {
 namespace {
 
-// Without a background: the window is cleared with that colour, and drawing it again takes a third
-// of a frame's time where the processor draws.
+// No background: gl::clearWindow() already fills the window with the background colour, and drawing
+// it again takes a third of a frame's time in software rendering.
 constexpr ImGuiWindowFlags kPart =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -149,7 +149,7 @@ void Editor::play() {
     const double interval_s = plan() != nullptr ? plan()->trajectory.frame_interval_s : 1.0;
     const double frames_per_s = panels_.timeline.speed / interval_s;
     playback_.advance(ImGui::GetIO().DeltaTime * frames_per_s, panels_.timeline.loop);
-    if (playback_.playing()) window_.drawWithin(playback_.untilNext() / frames_per_s);
+    if (playback_.playing()) window_.drawAfter(playback_.untilNext() / frames_per_s);
 }
 
 bool Editor::frame() {

@@ -143,6 +143,12 @@ class Editor {
 
     // editor_state.cpp
     [[nodiscard]] nlohmann::json exportsJson() const;
+    // Parts of stateJson().
+    void addProjectTo(nlohmann::json& state);
+    void addSelectionTo(nlohmann::json& state) const;
+    void addTimelineTo(nlohmann::json& state) const;
+    void addViewTo(nlohmann::json& state);
+    void addWindowTo(nlohmann::json& state);
     /// Adds the displayed objects, position points and plan to the JSON state that
     /// the inspector returns.
     void addSceneAndPlanTo(nlohmann::json& state);
