@@ -88,7 +88,11 @@ void Editor::addSceneAndPlanTo(nlohmann::json& state) {
         state["camera_keys"].push_back(
             {{"time_s", key.time_s}, {"reached_s", key.reached_s}, {"note", key.note}});
     }
+    state["stages_computed"] = nlohmann::json::array();
     if (shown.plan) {
+        for (const StageTime& stage : shown.plan->stages) {
+            if (!stage.reused) state["stages_computed"].push_back(stage.name);
+        }
         int collisions = 0;
         for (const SmoothPath& path : shown.plan->smooth_paths) collisions += path.collisions;
         state["plan"] = {

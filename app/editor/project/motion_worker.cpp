@@ -9,6 +9,19 @@
 #include <utility>
 
 namespace dollytrack::editor {
+namespace {
+
+/// The maps of the displayed plan, which takes no time; or new ones if there is no plan.
+Result<planning::BaselineScene> mapOf(const PlanOutcome& shown, const JobContext& job) {
+    if (shown.plan) {
+        return planning::baselineSceneOver(shown.scene, shown.edits, shown.params, shown.rays,
+                                           shown.free_space, shown.region);
+    }
+    return planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
+                                      job.stage(0.0, 0.2, "free space"));
+}
+
+}  // namespace
 
 void MotionWorker::start(Work work) {
     worker_.start(
@@ -44,8 +57,7 @@ void MotionWorker::read(const MotionFile& file, const PlanOutcome& shown) {
 
 void MotionWorker::repair(const SharedMotion& motion, const PlanOutcome& shown) {
     start([motion, shown](const JobContext& job) -> Result<Outcome> {
-        const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
-                                                    job.stage(0.0, 0.2, "free space"));
+        const auto map = mapOf(shown, job);
         if (!map) return tl::unexpected(map.error());
         auto repaired = planning::repairMotion(*map, shown.params, trajectoryOf(*motion),
                                                job.stage(0.2, 1.0, "repair"));
@@ -57,8 +69,7 @@ void MotionWorker::repair(const SharedMotion& motion, const PlanOutcome& shown) 
 
 void MotionWorker::make(const planning::MoveRequest& move, const PlanOutcome& shown) {
     start([move, shown](const JobContext& job) -> Result<Outcome> {
-        const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
-                                                    job.stage(0.0, 0.2, "free space"));
+        const auto map = mapOf(shown, job);
         if (!map) return tl::unexpected(map.error());
         auto made = planning::makeMove(*map, shown.params, move, job.stage(0.2, 1.0, "move"));
         if (!made) return tl::unexpected(std::move(made.error()));
