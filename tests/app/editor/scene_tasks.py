@@ -254,6 +254,34 @@ class Looking(Task):
                 self.wait_picture()
                 self.assertNotEqual(self.editor.picture(), picture, layer)
 
+    def test_a_click_right_after_the_wheel_hits_what_was_scrolled_there(self):
+        self.start_room(size=(1280, 620))
+        self.editor.click("tab.layers")
+        before = self.editor.item("layers.roadmap")
+        over = self.editor.middle("layers.trajectory")
+        self.editor.wheel(over, -1)
+        after = self.editor.item("layers.roadmap")
+        self.assertLess(after[1], before[1], "the panel has scrolled")
+        self.editor.wheel(over, 5)
+        self.assertEqual(self.editor.item("layers.roadmap"), before)
+        state = self.editor.state()
+        with self.editor.stuck():
+            self.editor.press(5)
+            self.editor.release(5)
+            self.editor.move(after[0] + 8, (after[1] + after[3]) / 2)
+            self.editor.press()
+            self.editor.release()
+        clicked = self.editor.state()
+        self.assertNotEqual(clicked["layers"]["roadmap"], state["layers"]["roadmap"])
+        # In the viewport, the wheel would have zoomed.
+        left, top, right, bottom = self.editor.item("viewport")[:4]
+        with self.editor.stuck():
+            self.editor.move(*over)
+            self.editor.press(4)
+            self.editor.release(4)
+            self.editor.move((left + right) / 2, (top + bottom) / 2)
+        self.assertEqual(self.editor.state()["camera"], state["camera"])
+
     def test_move_the_slice_of_free_space(self):
         self.start_room()
         self.editor.key("F2")
