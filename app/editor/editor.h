@@ -168,6 +168,8 @@ class Editor {
     void requestPicture();
     void requestPreview();
     void requestLayers();
+    /// "Front Orthographic", "User Perspective" or "Camera"
+    [[nodiscard]] std::string viewName() const;
     [[nodiscard]] render::View viewportView(const ui::ViewerCamera& camera) const;
     /// The storeys of the shown scene. A scene must be open.
     [[nodiscard]] const std::vector<render::StoreyView>& storeys() const;

@@ -154,6 +154,7 @@ void Editor::addTimelineTo(nlohmann::json& state) const {
 void Editor::addViewTo(nlohmann::json& state) {
     const ui::ViewerCamera& camera = panels_.viewport.camera;
     state["through_camera"] = through_camera_;
+    state["view_name"] = viewName();
     state["camera"] = {{"pivot", {camera.pivot.x(), camera.pivot.y(), camera.pivot.z()}},
                        {"azimuth", camera.azimuth},
                        {"elevation", camera.elevation},

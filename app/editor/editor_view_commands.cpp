@@ -24,7 +24,9 @@ void Editor::addViewCommands() {
                    [this] { bringIntoView(selectedBox()); },
                    [this]() -> std::string {
                        return selectedBox().isEmpty() ? "Select something first." : "";
-                   }});
+                   },
+                   {},
+                   {GLFW_KEY_KP_DECIMAL}});
     commands_.add({"view.frame_all",
                    "View",
                    "Show everything",

@@ -91,6 +91,14 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     return view;
 }
 
+std::string Editor::viewName() const {
+    if (through_camera_) return "Camera";
+    const ui::ViewerCamera& camera = panels_.viewport.camera;
+    return fmt::format("{} {}{}", camera.axisName(),
+                       camera.orthographic ? "Orthographic" : "Perspective",
+                       selected_.inLocalView() ? " (local view)" : "");
+}
+
 void Editor::requestLayers() {
     const PlanOutcome& shown = workspace_.shown();
     if (!shown.scene) return;
@@ -326,8 +334,9 @@ void Editor::drawLegend() {
     panels_.legend.hovered = false;
     if (legends.empty() || through_camera_) return;
     const float margin = ui::scaled(10);
+    const float below_name = ImGui::GetTextLineHeight() + ui::scaled(4);
     const ImVec2 low(static_cast<float>(pane_.origin.x()) + margin,
-                     static_cast<float>(pane_.origin.y()) + margin);
+                     static_cast<float>(pane_.origin.y()) + margin + below_name);
     // In a small viewport the legend would hide much of the scene.
     const bool has_room = static_cast<float>(pane_.width) > ui::scaled(800) &&
                           static_cast<float>(pane_.height) > ui::scaled(440);
@@ -335,7 +344,7 @@ void Editor::drawLegend() {
     panels_.legend.open = open;
     ui::drawLegendBox(legends, low,
                       {static_cast<float>(pane_.width) - 2 * margin,
-                       static_cast<float>(pane_.height) - 2 * margin},
+                       static_cast<float>(pane_.height) - 2 * margin - below_name},
                       panels_.legend);
     if (panels_.legend.open != open) settings_.layout.show_legend = panels_.legend.open;
 }
@@ -403,6 +412,7 @@ void Editor::drawCentre() {
     if (workspace_.shown().outdated)
         view.remark = "Previous plan: planning with these parameters failed";
     view.locked = through_camera_;
+    view.name = viewName();
     if (through_camera_) {
         const CameraParams& camera = workspace_.shown().params.camera;
         view.aspect = static_cast<double>(camera.width_px) / camera.height_px;

@@ -229,13 +229,34 @@ class Looking(Task):
         self.assertTrue(state["camera"]["orthographic"])
         self.assertFalse(self.editor.key("5")["camera"]["orthographic"])
 
+    def test_the_number_pad_looks_along_the_axes(self):
+        self.start_room()
+        for key, name in (("KP_7", "Top"), ("KP_1", "Front"), ("KP_3", "Right"),
+                          ("ctrl+KP_1", "Back"), ("ctrl+KP_3", "Left"), ("ctrl+KP_7", "Bottom")):
+            self.assertEqual(self.editor.key(key)["view_name"], name + " Perspective")
+        self.assertEqual(self.editor.key("KP_5")["view_name"], "Bottom Orthographic")
+        state = self.editor.key("KP_5")
+        self.assertEqual(state["view_name"], "Bottom Perspective")
+        self.assertIn("viewport.name", state["items"])
+        left, top, right, bottom = self.editor.item("viewport")[:4]
+        middle = ((left + right) / 2, (top + bottom) / 2)
+        state = self.editor.drag(middle, (middle[0] + 30, middle[1] - 20), button="middle")
+        self.assertEqual(state["view_name"], "User Perspective")
+        self.assertTrue(self.editor.key("KP_0")["through_camera"])
+        self.assertEqual(self.editor.key("KP_0")["through_camera"], False)
+        self.select_row(MUG)
+        self.assertTrue(self.editor.key("num/")["local_view"])
+        self.assertFalse(self.editor.key("num/")["local_view"])
+
     def test_frame_the_selected_object(self):
         self.start_room()
         self.select_row(MUG)
         self.editor.point("viewport")
-        camera = self.editor.key("f")["camera"]
-        self.assertLess(math.dist(camera["pivot"], (3.145, -1.245, 0.79)), 0.02)
-        self.assertLess(camera["distance"], 1.0)
+        for key in ("f", "num."):
+            self.assertGreater(self.editor.key("home")["camera"]["distance"], 3.0)
+            camera = self.editor.key(key)["camera"]
+            self.assertLess(math.dist(camera["pivot"], (3.145, -1.245, 0.79)), 0.02)
+            self.assertLess(camera["distance"], 1.0)
 
     def test_look_through_the_camera_and_leave_it(self):
         self.start_room()
