@@ -113,6 +113,9 @@ void Editor::requestLayers() {
     request.stepping = step_playback_.shown();
     request.selection = selected_.now();
     for (const ui::MovedObject& one : movedObjects()) request.moved.push_back(one.object_id);
+    for (const int id : selected_.objects()) {
+        if (selected_.isLeftOut(id)) request.left_out.push_back(id);
+    }
     request.no_go = workspace_.state().edits.plan.no_go;
     request.regions = workspace_.state().edits.plan.regions;
     request.motion = workspace_.state().edits.plan.motion;
@@ -208,6 +211,7 @@ std::optional<ui::GizmoView> Editor::gizmoView() {
     const MotionKey* key = selectedKey();
     view.turns = point != nullptr || key != nullptr;
     if (const int object = movableObject(); object != 0) {
+        if (selected_.isLeftOut(object)) return std::nullopt;
         view.pose = objectPose(object);
         view.turns = true;
         view.tilts = false;

@@ -3,6 +3,8 @@ import math
 import os
 import time
 
+import numpy
+
 from task import MUG, NONE, OBJECT, OBJECTS, SOFA, TABLE, Task
 
 SOFA_TOP = (0.5, -1.5, 0.7)
@@ -141,6 +143,30 @@ class Selecting(Task):
         state = self.editor.idle()
         self.assertEqual(len(state["history"]), 2)
         self.assertIn("36", str(state["edits"]).replace("bathtub", "36"))
+
+    def selection_pixels(self):
+        """Number of pixels of the viewport in the colour of the selection, a strong pink."""
+        self.editor.move(5, 5)
+        self.wait_picture()
+        self.editor.wait(lambda state: not state["busy"]["drawing"], "the drawing")
+        left, top, right, bottom = map(round, self.editor.item("viewport")[:4])
+        width, height, rgb = self.editor.picture()
+        image = numpy.frombuffer(rgb, numpy.uint8).reshape(height, width, 3)[top:bottom, left:right]
+        red, green, blue = image.astype(int).transpose(2, 0, 1)
+        return numpy.count_nonzero((red > 200) & (green < 120) & (blue > 140))
+
+    def test_a_hidden_object_has_no_box_and_no_handles(self):
+        self.start_room()
+        self.without_layers()
+        self.select_row(SOFA)
+        self.assertGreater(self.selection_pixels(), 200)
+        self.editor.point("viewport")
+        self.editor.key("h")
+        self.assertEqual(self.selection_pixels(), 0)
+        self.editor.point("viewport")
+        self.assertEqual(self.editor.key("g")["drag_text"], "")
+        self.editor.key("alt+h")
+        self.assertGreater(self.selection_pixels(), 200)
 
     def test_hide_an_object_and_show_all(self):
         self.start_room()
