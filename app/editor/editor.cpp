@@ -8,6 +8,7 @@
 #include "ui/widgets/splitter.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -120,7 +121,7 @@ void Editor::refreshScene() {
         autosave_.replaces(workspace_.restoredFrom());
         dropGizmo();
         noted_file_.clear();
-        import_bar_dismissed_ = false;
+        noteOpening();
         drawing_.setScene({});
     }
     const PlanOutcome& shown = workspace_.shown();
@@ -142,6 +143,17 @@ void Editor::refreshScene() {
     }
     if (!shown.scene) return;
     scene_sync_.send(shown, workspace_.light());
+}
+
+void Editor::noteOpening() {
+    import_bar_dismissed_ = textures_note_ = false;
+    if (!workspace_.isOpen()) return;
+    const std::string scene = workspace_.sceneFile().string();
+    import_bar_dismissed_ = settings_.hasSeen(kImportKept + scene);
+    const std::size_t missing = workspace_.importReport().textures_missing.size();
+    const std::string note = fmt::format("{} textures missing: {}", missing, scene);
+    textures_note_ = missing > 0 && !settings_.hasSeen(note);
+    if (textures_note_) settings_.addSeen(note);
 }
 
 void Editor::play() {

@@ -56,6 +56,10 @@ namespace dollytrack::editor {
 /// The editor's main class: draws the panels into the window and turns user actions into changes of
 /// the workspace. Long work runs in the background.
 class Editor {
+    /// Begins the note of a scene whose import settings the user has confirmed, see
+    /// EditorSettings::seen.
+    static constexpr const char* kImportKept = "import kept: ";
+
   public:
     Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBuffer& log,
            EditorSettings settings);
@@ -78,6 +82,8 @@ class Editor {
     void drawBottomRow(ImVec2 low, ImVec2 size);
     [[nodiscard]] bool exportsAtBottom() const;
     void refreshScene();
+    /// Decides which notes are shown for the file that was just opened.
+    void noteOpening();
     void autosave();
     void rememberSettings();
     void setTheme();
@@ -165,6 +171,7 @@ class Editor {
     [[nodiscard]] std::optional<ui::GizmoView> gizmoView();
     void drawBars();
     void drawImportBar();
+    void drawTextureBar();
     void requestPicture();
     void requestPreview();
     void requestLayers();
@@ -298,6 +305,7 @@ class Editor {
     EditorSettings settings_;
     SettingsSaver settings_saver_;
     bool import_bar_dismissed_ = false;
+    bool textures_note_ = false;  // textures are missing, which was not shown for this file before
     std::filesystem::path noted_file_;  // the latest entry added to the recent files
     Workspace workspace_;
     Autosave autosave_;

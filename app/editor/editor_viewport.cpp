@@ -372,13 +372,39 @@ void Editor::drawImportBar() {
         ui::drawNoteBar("import_doubt", up + (up.empty() || unit.empty() ? "" : "; ") + unit,
                         {{"Read with " + settingsText(proposal),
                           "Reload the scene file with this setting; can be undone"},
-                         {"Keep", "Hide this line"}});
+                         {"Keep",
+                          "Keep the settings in use, and do not ask again: they are stored "
+                          "in the project"}});
     if (pressed == 0) workspace_.applyProposal();
-    if (pressed == 1) import_bar_dismissed_ = true;
+    if (pressed != 1) return;
+    import_bar_dismissed_ = true;
+    settings_.addSeen(kImportKept + workspace_.sceneFile().string());
+    workspace_.keepImport();
+}
+
+void Editor::drawTextureBar() {
+    if (!textures_note_ || !workspace_.isOpen()) return;
+    const std::vector<std::string>& missing = workspace_.importReport().textures_missing;
+    const std::string count = missing.size() == 1
+                                  ? "1 texture is missing"
+                                  : fmt::format("{} textures are missing", missing.size());
+    const int pressed = ui::drawNoteBar(
+        "textures_missing", count + "; those surfaces have a plain colour.",
+        {{"Details\u2026", "Name the missing textures"}, {"Hide", "Hide this line"}});
+    if (pressed == 1) textures_note_ = false;
+    if (pressed != 0) return;
+    constexpr std::size_t kMostNamed = 20;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(missing.size(), kMostNamed); ++i)
+        text += missing[i] + "\n";
+    if (missing.size() > kMostNamed)
+        text += fmt::format("and {} more\n", missing.size() - kMostNamed);
+    questions_.tell({false, count, text + "Put them beside the scene file and open it again.", {}});
 }
 
 void Editor::drawBars() {
     drawImportBar();
+    drawTextureBar();
     if (!workspace_.fileChanged()) return;
     const std::filesystem::path file = workspace_.path();
     const int pressed = ui::drawNoteBar(

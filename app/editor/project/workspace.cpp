@@ -77,6 +77,15 @@ void Workspace::applyProposal() {
     readAgain(import);
 }
 
+void Workspace::keepImport() {
+    const ImportReport& report = importReport();
+    if (!report.proposal.unit_doubt.empty()) opened_->import["unit_m"] = report.unit_m;
+    const std::optional<UpAxis> up = parseUpAxis(report.up_axis);
+    if (!report.proposal.up_doubt.empty() && up) opened_->import["up_axis"] = up->text();
+    keeps_import_ = true;
+    stack_.markUnsaved();
+}
+
 void Workspace::takeBackImport() {
     if (import_before_) readAgain(*import_before_);
 }
@@ -111,6 +120,7 @@ void Workspace::close() {
     ++document_;
     restored_from_.clear();
     import_before_.reset();
+    keeps_import_ = false;
     changed_file_.reset();
     file_watch_.beginAnew();
     stack_.reset({});

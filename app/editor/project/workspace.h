@@ -45,6 +45,8 @@ class Workspace {
     /// Imports again with the import report's proposed settings; takeBackImport() reverts that.
     void applyProposal();
     void takeBackImport();
+    /// Confirms the import settings in use against the proposal: they become part of the project.
+    void keepImport();
     void cancelOpening() { loader_.cancel(); }
     void close();
     /// What save() does if another program has changed the file since it was read or written here.
@@ -88,7 +90,9 @@ class Workspace {
     [[nodiscard]] std::string title() const;
     [[nodiscard]] const std::filesystem::path& sceneFile() const { return opened_->scene_file; }
     /// The proposed import settings, if those in use seem wrong.
-    [[nodiscard]] const ImportProposal& proposal() const { return importReport().proposal; }
+    [[nodiscard]] const ImportProposal& proposal() const {
+        return keeps_import_ ? kNoProposal : importReport().proposal;
+    }
     /// The import settings before readAgain(); unset if the scene was not imported again.
     [[nodiscard]] const std::optional<nlohmann::json>& importBefore() const {
         return import_before_;
@@ -183,6 +187,8 @@ class Workspace {
     [[nodiscard]] bool isWanted(const PlanOutcome& outcome) const;
     void take(PlanOutcome outcome);
 
+    static inline const ImportProposal kNoProposal;
+
     std::function<void()> wake_;
     std::optional<OpenedProject> opened_;
     CommandStack stack_;
@@ -191,6 +197,7 @@ class Workspace {
     std::uint64_t saves_answered_ = 0;
     std::filesystem::path restored_from_;
     std::optional<nlohmann::json> import_before_;
+    bool keeps_import_ = false;  // see keepImport()
     bool file_has_plan_ = false;
     std::optional<std::filesystem::path> changed_file_;
     std::shared_ptr<KnownFiles> known_files_ = std::make_shared<KnownFiles>();
