@@ -112,7 +112,7 @@ void Editor::refreshScene() {
         comparison_.drop();
         motions_.cancel();
         recorded_key_s_.reset();
-        read_motion_ = {};
+        read_motions_.clear();
         repaired_motion_ = {};
         questions_.forgetProject();
         panels_.export_draft.forgetProject();

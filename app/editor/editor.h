@@ -231,6 +231,8 @@ class Editor {
     void addMotionCommands();
     [[nodiscard]] ui::MotionView motionView() const;
     void follow(const ui::MotionActions& actions);
+    /// The file that the current camera path was read from; null: none.
+    [[nodiscard]] const MotionFile* motionFile() const;
     void readMotion(const MotionFile& file);
     void takeMotion();
 
@@ -369,8 +371,12 @@ class Editor {
     // Of the frames of probed_plan_; null: not all are known; empty: they cannot be drawn.
     ui::PictureClasses frame_classes_;
     MotionWorker motions_{&Window::wake};
-    MotionFile motion_file_;                // file last read as a camera path
-    SharedMotion read_motion_;              // camera path from that file, perhaps repaired
+    struct ReadMotion {
+        SharedMotion motion;
+        MotionFile file;
+    };
+    // Camera paths read from files, and their repairs; undo and redo return to them.
+    std::vector<ReadMotion> read_motions_;
     SharedMotion repaired_motion_;          // result of the last repair
     std::string motion_change_;             // what that changed
     std::optional<double> recorded_key_s_;  // time of a key that the playhead shall move to

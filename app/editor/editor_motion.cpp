@@ -78,9 +78,11 @@ ui::MotionView Editor::motionView() const {
     if (selectedKey() != nullptr) view.selected_key = selected_.now().index;
     view.why_no_key = whyNoKey();
     if (motion && motion == repaired_motion_) view.change = motion_change_;
-    view.can_read_again = motion && motion == read_motion_;
-    const auto worlds = ui::motionWorlds();
-    view.world = static_cast<int>(std::ranges::find(worlds, motion_file_.world) - worlds.begin());
+    if (const MotionFile* file = motionFile()) {
+        const auto worlds = ui::motionWorlds();
+        view.can_read_again = true;
+        view.world = static_cast<int>(std::ranges::find(worlds, file->world) - worlds.begin());
+    }
     const BackgroundWorker::State job = motions_.state();
     view.busy = job.busy;
     view.fraction = job.fraction;
@@ -103,7 +105,9 @@ void Editor::follow(const ui::MotionActions& actions) {
     if (actions.cancel) motions_.cancel();
     if (actions.read_in_world >= 0) {
         const auto world = static_cast<std::size_t>(actions.read_in_world);
-        readMotion({motion_file_.path, ui::motionWorlds()[world]});
+        if (const MotionFile* file = motionFile()) {
+            readMotion({file->path, ui::motionWorlds()[world]});
+        }
     }
     if (!actions.make.empty()) {
         planning::MoveRequest move;
@@ -111,6 +115,12 @@ void Editor::follow(const ui::MotionActions& actions) {
         if (selected_.objects().size() == 1) move.object_id = selected_.objects().front();
         motions_.make(move, workspace_.shown());
     }
+}
+
+const MotionFile* Editor::motionFile() const {
+    const SharedMotion& motion = workspace_.state().edits.plan.motion;
+    const auto read = std::ranges::find(read_motions_, motion, &ReadMotion::motion);
+    return motion && read != read_motions_.end() ? &read->file : nullptr;
 }
 
 void Editor::readMotion(const MotionFile& file) {
@@ -128,7 +138,8 @@ void Editor::takeMotion() {
         questions_.tell({true, "The camera path was not changed", describe(error), {}});
         return;
     }
-    const bool was_read = workspace_.state().edits.plan.motion == read_motion_;
+    const std::optional<MotionFile> file_before =
+        motionFile() != nullptr ? std::optional(*motionFile()) : std::nullopt;
     nlohmann::json operation = motionJson((*outcome)->motion);
     operation["op"] = "set_motion";
     const Status done = workspace_.apply(operation);
@@ -137,8 +148,8 @@ void Editor::takeMotion() {
     const SharedMotion& motion = workspace_.state().edits.plan.motion;
     const MotionWorker::Source source = (*outcome)->source;
     const bool repaired = source == MotionWorker::Source::Repair;
-    if (source == MotionWorker::Source::File) motion_file_ = (*outcome)->file;
-    if (source == MotionWorker::Source::File || (repaired && was_read)) read_motion_ = motion;
+    if (source == MotionWorker::Source::File) read_motions_.push_back({motion, (*outcome)->file});
+    if (repaired && file_before) read_motions_.push_back({motion, *file_before});
     if (!repaired) return;
     repaired_motion_ = motion;
     motion_change_ = changeText((*outcome)->change);

@@ -214,6 +214,9 @@ void Editor::drawSelection() {
     if (actions.look_through) lookAlongPose(*actions.look_through);
     if (actions.remedy.find) remedies_.find(shown, object);
     if (actions.remedy.cancel) remedies_.cancel();
+    if (actions.remedy.select_object) {
+        return selectObject(view.remedy.row.remedy->move_object, false);
+    }
     if (actions.remedy.apply) {
         tellRefusal(workspace_.applyAll(remedies_.operations(), remedies_.name()));
     }
