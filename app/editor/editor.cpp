@@ -231,7 +231,13 @@ void Editor::arrange() {
     const float most_side = std::max(0.5F * (size.x / scale - 320.0F), 180.0F);
     // The export form is taller than the other bottom panels and leaves less to the viewport.
     const bool exports = exportsAtBottom();
-    float& bottom_height = exports ? layout.bottom_export : layout.bottom;
+    float bottom_height = exports ? layout.bottom_export : layout.bottom;
+    if (exports && layout.bottom_export == Layout().bottom_export) {
+        // Until the user sets its height, the form grows while the viewport stays large.
+        constexpr float kLargeViewport = 600.0F;
+        const float most = size.y / scale - kLargeViewport;
+        bottom_height = std::max(bottom_height, std::min(export_height_ / scale, most));
+    }
     const float most_bottom = std::max(size.y / scale - (exports ? 220.0F : 300.0F), 120.0F);
     // In a small window the panels are smaller than their settings, which hold for a larger one.
     const bool show_left = docks_.places().isVisible(DockSide::Left);
@@ -275,9 +281,13 @@ void Editor::arrange() {
                    layout.right, 180, most_side);
     }
     if (show_bottom) {
+        const float before = bottom_height;
         dragBorder("splitter.bottom", {low.x, low.y + middle - grip},
                    {low.x + size.x, low.y + middle + grip}, false, -1.0F, bottom_height, 110,
                    most_bottom);
+        if (bottom_height != before) {
+            (exports ? layout.bottom_export : layout.bottom) = bottom_height;
+        }
     }
 }
 

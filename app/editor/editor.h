@@ -388,6 +388,7 @@ class Editor {
     // State of the panels.
     PanelStates panels_;
     ui::ViewportActions pane_;
+    float export_height_ = 0.0F;  // of the export panel if nothing scrolls, px
     bool preview_hovered_ = false;
     bool popup_was_open_ = false;  // in the previous window frame
     std::vector<ui::PaletteItem> palette_parameters_;

@@ -209,7 +209,11 @@ void drawRig(ExportDraft& draft, ExportActions& actions) {
     const float width =
         ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(-width - ImGui::GetStyle().ItemSpacing.x);
-    ImGui::InputTextWithHint("##rig_file", "none, or a JSON file of cameras", &draft.rig);
+    const char* hint = "none, or a JSON file of cameras";
+    const float room = ImGui::GetContentRegionAvail().x - width - ImGui::GetStyle().ItemSpacing.x -
+                       2 * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::CalcTextSize(hint).x > room) hint = "none";
+    ImGui::InputTextWithHint("##rig_file", hint, &draft.rig);
     nameItem("export.rig");
     tooltip(draft.rig);
     ImGui::SameLine();
@@ -291,6 +295,9 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
         const auto column = [&](const char* id, float share, const auto& draw) {
             ImGui::BeginChild(id, {std::floor(share * all), height});
             draw();
+            // The cursor moves with the content, whatever part of it is visible.
+            const float missing = ImGui::GetCursorPosY() + style.WindowPadding.y - height;
+            actions.full_height = std::max(actions.full_height, room.y + missing);
             ImGui::EndChild();
         };
         column("place", shares[0], [&] { drawPlace(view, draft, actions); });

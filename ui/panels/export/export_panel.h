@@ -100,6 +100,7 @@ struct ExportActions {
     int later = 0;
     int open_folder = 0;
     int show_sheet = 0;
+    float full_height = 0.0F;  // height of the panel's content at which nothing scrolls, px
 };
 
 /// Draws the export settings and the queue.
