@@ -142,7 +142,7 @@ void Editor::refreshScene() {
         }
     }
     if (!shown.scene) return;
-    scene_sync_.send(shown, workspace_.light());
+    scene_sync_.send(shown, workspace_.lighter());
 }
 
 void Editor::noteOpening() {

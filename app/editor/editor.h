@@ -120,6 +120,7 @@ class Editor {
     void drawStatus();
     void drawDragStatus();
     void drawPlanStatus(const Plan& plan);
+    void drawLightStatus();
     void drawSceneStatus();
     void drawObjects();
     void drawHistory();

@@ -347,9 +347,24 @@ void Editor::drawPlanStatus(const Plan& plan) {
         fmt::format("{} targets fill at least 5 % of the image in one of the frames; {} of "
                     "the frames are key frames. The Metrics panel tells more.",
                     capture.well_captured, keys));
-    if (drawing_.finalLight()) return;
+    drawLightStatus();
+}
+
+void Editor::drawLightStatus() {
+    const LightWorker& light = workspace_.lighter();
+    if (drawing_.finalLight() || (light.isFinal() && !light.state().busy)) return;
     ImGui::SameLine();
-    ImGui::TextDisabled("   computing light \u2026");
+    if (light.stopped()) {
+        ImGui::TextDisabled(light.light() ? "   coarse light" : "   without light");
+        ImGui::SameLine();
+        if (ui::link("Compute", "status.light.start")) workspace_.startLight();
+        return;
+    }
+    ImGui::TextDisabled("   computing light %.0f %%", 100.0 * light.state().fraction);
+    ui::nameItem("status.light");
+    ui::tooltip("Light as in exports; meanwhile a coarser one is shown. It waits while planning.");
+    ImGui::SameLine();
+    if (ui::link("Stop", "status.light.stop")) workspace_.stopLight();
 }
 
 void Editor::drawSceneStatus() {

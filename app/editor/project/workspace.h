@@ -3,13 +3,12 @@
 #include "app/editor/files/file_watch.h"
 #include "app/editor/files/known_files.h"
 #include "app/editor/project/autosave.h"
+#include "app/editor/project/light_worker.h"
 #include "app/editor/project/live_planner.h"
 #include "app/editor/project/project_loader.h"
 #include "engine/document/command_stack.h"
 #include "engine/io/settings/project_file.h"
 #include "engine/jobs/background_worker.h"
-#include "engine/scene/light_params.h"
-#include "render/light/light_volume.h"
 
 #include <nlohmann/json.hpp>
 
@@ -110,7 +109,10 @@ class Workspace {
         return shown_.serial == serial_ && shown_.measured && !shown_.outdated &&
                shown_.state == stack_.state();
     }
-    [[nodiscard]] std::shared_ptr<const render::LightVolume> light() const { return light_; }
+    /// The light of the displayed scene, baked in the background.
+    [[nodiscard]] const LightWorker& lighter() const { return lighter_; }
+    void stopLight() { lighter_.stop(); }
+    void startLight() { lighter_.start(); }
     [[nodiscard]] BackgroundWorker::State loading() const { return loader_.state(); }
     [[nodiscard]] BackgroundWorker::State planning() const { return planner_.state(); }
     [[nodiscard]] bool saving() const { return saves_answered_ != save_serial_; }
@@ -208,12 +210,6 @@ class Workspace {
     std::uint64_t first_serial_ = 0;  // first serial of this project
     std::chrono::steady_clock::time_point changed_at_;
     double latency_ms_ = 0.0;
-    std::shared_ptr<const render::LightVolume> light_;
-    std::uint64_t lit_geometry_ = 0;
-    std::vector<Eigen::AlignedBox3d> lit_rooms_;
-    LightParams lit_params_;
-    int light_number_ = 0;
-    bool has_their_light_ = false;  // light_ is for lit_rooms_, lit_geometry_ and lit_params_
     std::vector<Notice> notices_;
     bool newly_opened_ = false;
     std::shared_ptr<LatestValue<LoadOutcome>> loaded_ =
@@ -222,15 +218,9 @@ class Workspace {
         std::make_shared<ConcurrentQueue<SaveOrder>>();
     std::shared_ptr<ConcurrentQueue<SaveOutcome>> saved_ =
         std::make_shared<ConcurrentQueue<SaveOutcome>>();
-    struct BakedLight {
-        int number = 0;  // number of the request, see updateLight()
-        render::LightVolume light;
-    };
-    std::shared_ptr<LatestValue<BakedLight>> baked_light_ =
-        std::make_shared<LatestValue<BakedLight>>();
     BackgroundWorker loader_;
     BackgroundWorker saver_;
-    BackgroundWorker lighter_;
+    LightWorker lighter_;
     LivePlanner planner_;
 };
 
