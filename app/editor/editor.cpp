@@ -262,6 +262,7 @@ void Editor::arrange() {
         ImGui::End();
     }
     if (show_bottom) drawBottomRow({low.x, low.y + middle}, {size.x, bottom});
+    if (show_bottom && exports) export_height_ = bottom + export_missing_;
     docks_.followDrag(low, {low.x + size.x, low.y + size.y - status});
     beginImagePart("centre", {low.x + left, low.y}, {size.x - left - right, middle});
     drawCentre();

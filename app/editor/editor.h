@@ -389,7 +389,8 @@ class Editor {
     // State of the panels.
     PanelStates panels_;
     ui::ViewportActions pane_;
-    float export_height_ = 0.0F;  // of the export panel if nothing scrolls, px
+    float export_height_ = 0.0F;   // of the bottom panels if the export form scrolls nowhere, px
+    float export_missing_ = 0.0F;  // what they lack of that; below 0: have in excess
     bool preview_hovered_ = false;
     bool popup_was_open_ = false;  // in the previous window frame
     std::vector<ui::PaletteItem> palette_parameters_;

@@ -231,10 +231,8 @@ ui::ExportView Editor::exportView() {
 
 void Editor::drawExport() {
     const ui::ExportView view = exportView();
-    const float above = ImGui::GetCursorPosY();
     const ui::ExportActions actions = ui::drawExportPanel(view, panels_.export_draft);
-    const float below = ImGui::GetStyle().WindowPadding.y;
-    export_height_ = actions.full_height + above + below;
+    export_missing_ = actions.missing_height;
     if (!actions.edited.empty()) setParameter(actions.edited);
     if (actions.finished) workspace_.endMerge();
     if (actions.choose_folder) askForFile("export folder");

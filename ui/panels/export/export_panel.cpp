@@ -285,6 +285,7 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
         (wide ? 1.0F : 2.0F) * ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y;
     const float height = std::max(room.y - footer, ImGui::GetFrameHeight());
     if (wide) {
+        actions.missing_height = -height;
         // An empty queue needs no column, and in a wide panel the formats have one of their own.
         const bool apart = room.x >= scaled(queue ? 1500 : 1000);
         const std::array<float, 4> shares = queue ? (apart ? std::array{0.25F, 0.31F, 0.24F, 0.2F}
@@ -296,8 +297,8 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
             ImGui::BeginChild(id, {std::floor(share * all), height});
             draw();
             // The cursor moves with the content, whatever part of it is visible.
-            const float missing = ImGui::GetCursorPosY() + style.WindowPadding.y - height;
-            actions.full_height = std::max(actions.full_height, room.y + missing);
+            actions.missing_height =
+                std::max(actions.missing_height, ImGui::GetCursorPosY() - height);
             ImGui::EndChild();
         };
         column("place", shares[0], [&] { drawPlace(view, draft, actions); });

@@ -100,7 +100,7 @@ struct ExportActions {
     int later = 0;
     int open_folder = 0;
     int show_sheet = 0;
-    float full_height = 0.0F;  // height of the panel's content at which nothing scrolls, px
+    float missing_height = 0.0F;  // of the panel, so that nothing scrolls, px; below 0: excess
 };
 
 /// Draws the export settings and the queue.
