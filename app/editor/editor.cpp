@@ -8,6 +8,7 @@
 #include "ui/widgets/splitter.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -15,8 +16,8 @@
 namespace dollytrack::editor {
 namespace {
 
-// Without a background: the window is cleared with that colour, and drawing it again takes a third
-// of a frame's time where the processor draws.
+// No background: gl::clearWindow() already fills the window with the background colour, and drawing
+// it again takes a third of a frame's time in software rendering.
 constexpr ImGuiWindowFlags kPart =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -111,7 +112,7 @@ void Editor::refreshScene() {
         comparison_.drop();
         motions_.cancel();
         recorded_key_s_.reset();
-        read_motion_ = {};
+        read_motions_.clear();
         repaired_motion_ = {};
         made_motion_ = {};
         recorded_key_.reset();
@@ -122,7 +123,7 @@ void Editor::refreshScene() {
         autosave_.replaces(workspace_.restoredFrom());
         dropGizmo();
         noted_file_.clear();
-        import_bar_dismissed_ = false;
+        noteOpening();
         drawing_.setScene({});
     }
     const PlanOutcome& shown = workspace_.shown();
@@ -143,7 +144,18 @@ void Editor::refreshScene() {
         }
     }
     if (!shown.scene) return;
-    scene_sync_.send(shown, workspace_.light());
+    scene_sync_.send(shown, workspace_.lighter());
+}
+
+void Editor::noteOpening() {
+    import_bar_dismissed_ = textures_note_ = false;
+    if (!workspace_.isOpen()) return;
+    const std::string scene = workspace_.sceneFile().string();
+    import_bar_dismissed_ = settings_.hasSeen(kImportKept + scene);
+    const std::size_t missing = workspace_.importReport().textures_missing.size();
+    const std::string note = fmt::format("{} textures missing: {}", missing, scene);
+    textures_note_ = missing > 0 && !settings_.hasSeen(note);
+    if (textures_note_) settings_.addSeen(note);
 }
 
 void Editor::play() {
@@ -151,7 +163,7 @@ void Editor::play() {
     const double interval_s = plan() != nullptr ? plan()->trajectory.frame_interval_s : 1.0;
     const double frames_per_s = panels_.timeline.speed / interval_s;
     playback_.advance(ImGui::GetIO().DeltaTime * frames_per_s, panels_.timeline.loop);
-    if (playback_.playing()) window_.drawWithin(playback_.untilNext() / frames_per_s);
+    if (playback_.playing()) window_.drawAfter(playback_.untilNext() / frames_per_s);
 }
 
 bool Editor::frame() {
@@ -224,7 +236,13 @@ void Editor::arrange() {
     const float most_side = std::max(0.5F * (size.x / scale - 320.0F), 180.0F);
     // The export form is taller than the other bottom panels and leaves less to the viewport.
     const bool exports = exportsAtBottom();
-    float& bottom_height = exports ? layout.bottom_export : layout.bottom;
+    float bottom_height = exports ? layout.bottom_export : layout.bottom;
+    if (exports && layout.bottom_export == Layout().bottom_export) {
+        // Until the user sets its height, the form grows while the viewport stays large.
+        constexpr float kLargeViewport = 600.0F;
+        const float most = size.y / scale - kLargeViewport;
+        bottom_height = std::max(bottom_height, std::min(export_height_ / scale, most));
+    }
     const float most_bottom = std::max(size.y / scale - (exports ? 220.0F : 300.0F), 120.0F);
     // In a small window the panels are smaller than their settings, which hold for a larger one.
     const bool show_left = docks_.places().isVisible(DockSide::Left);
@@ -249,6 +267,7 @@ void Editor::arrange() {
         ImGui::End();
     }
     if (show_bottom) drawBottomRow({low.x, low.y + middle}, {size.x, bottom});
+    if (show_bottom && exports) export_height_ = bottom + export_missing_;
     docks_.followDrag(low, {low.x + size.x, low.y + size.y - status});
     beginImagePart("centre", {low.x + left, low.y}, {size.x - left - right, middle});
     drawCentre();
@@ -268,9 +287,13 @@ void Editor::arrange() {
                    layout.right, 180, most_side);
     }
     if (show_bottom) {
+        const float before = bottom_height;
         dragBorder("splitter.bottom", {low.x, low.y + middle - grip},
                    {low.x + size.x, low.y + middle + grip}, false, -1.0F, bottom_height, 110,
                    most_bottom);
+        if (bottom_height != before) {
+            (exports ? layout.bottom_export : layout.bottom) = bottom_height;
+        }
     }
 }
 

@@ -56,6 +56,10 @@ namespace dollytrack::editor {
 /// The editor's main class: draws the panels into the window and turns user actions into changes of
 /// the workspace. Long work runs in the background.
 class Editor {
+    /// Begins the note of a scene whose import settings the user has confirmed, see
+    /// EditorSettings::seen.
+    static constexpr const char* kImportKept = "import kept: ";
+
   public:
     Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBuffer& log,
            EditorSettings settings);
@@ -78,6 +82,8 @@ class Editor {
     void drawBottomRow(ImVec2 low, ImVec2 size);
     [[nodiscard]] bool exportsAtBottom() const;
     void refreshScene();
+    /// Decides which notes are shown for the file that was just opened.
+    void noteOpening();
     void autosave();
     void rememberSettings();
     void setTheme();
@@ -116,6 +122,7 @@ class Editor {
     void drawStatus();
     void drawDragStatus();
     void drawPlanStatus(const Plan& plan);
+    void drawLightStatus();
     void drawSceneStatus();
     void drawObjects();
     void drawHistory();
@@ -145,6 +152,12 @@ class Editor {
 
     // editor_state.cpp
     [[nodiscard]] nlohmann::json exportsJson() const;
+    // Parts of stateJson().
+    void addProjectTo(nlohmann::json& state);
+    void addSelectionTo(nlohmann::json& state) const;
+    void addTimelineTo(nlohmann::json& state) const;
+    void addViewTo(nlohmann::json& state);
+    void addWindowTo(nlohmann::json& state);
     /// Adds the displayed objects, position points and plan to the JSON state that
     /// the inspector returns.
     void addSceneAndPlanTo(nlohmann::json& state);
@@ -161,9 +174,12 @@ class Editor {
     [[nodiscard]] std::optional<ui::GizmoView> gizmoView();
     void drawBars();
     void drawImportBar();
+    void drawTextureBar();
     void requestPicture();
     void requestPreview();
     void requestLayers();
+    /// "Front Orthographic", "User Perspective" or "Camera"
+    [[nodiscard]] std::string viewName() const;
     [[nodiscard]] render::View viewportView(const ui::ViewerCamera& camera) const;
     /// The storeys of the shown scene. A scene must be open.
     [[nodiscard]] const std::vector<render::StoreyView>& storeys() const;
@@ -218,6 +234,8 @@ class Editor {
     void addMotionCommands();
     [[nodiscard]] ui::MotionView motionView();
     void follow(const ui::MotionActions& actions);
+    /// The file that the current camera path was read from; null: none.
+    [[nodiscard]] const MotionFile* motionFile() const;
     void readMotion(const MotionFile& file);
     void takeMotion();
     /// Makes the move that the form describes; asks first where it would replace keys.
@@ -315,6 +333,7 @@ class Editor {
     EditorSettings settings_;
     SettingsSaver settings_saver_;
     bool import_bar_dismissed_ = false;
+    bool textures_note_ = false;  // textures are missing, which was not shown for this file before
     std::filesystem::path noted_file_;  // the latest entry added to the recent files
     Workspace workspace_;
     Autosave autosave_;
@@ -378,8 +397,12 @@ class Editor {
     // Of the frames of probed_plan_; null: not all are known; empty: they cannot be drawn.
     ui::PictureClasses frame_classes_;
     MotionWorker motions_{&Window::wake};
-    MotionFile motion_file_;                // file last read as a camera path
-    SharedMotion read_motion_;              // camera path from that file, perhaps repaired
+    struct ReadMotion {
+        SharedMotion motion;
+        MotionFile file;
+    };
+    // Camera paths read from files, and their repairs; undo and redo return to them.
+    std::vector<ReadMotion> read_motions_;
     SharedMotion repaired_motion_;          // result of the last repair
     std::string motion_change_;             // what that changed
     std::optional<double> recorded_key_s_;  // time of a key that the playhead shall move to
@@ -399,6 +422,8 @@ class Editor {
     // State of the panels.
     PanelStates panels_;
     ui::ViewportActions pane_;
+    float export_height_ = 0.0F;   // of the bottom panels if the export form scrolls nowhere, px
+    float export_missing_ = 0.0F;  // what they lack of that; below 0: have in excess
     bool preview_hovered_ = false;
     bool popup_was_open_ = false;  // in the previous window frame
     std::vector<ui::PaletteItem> palette_parameters_;

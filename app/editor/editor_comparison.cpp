@@ -103,7 +103,7 @@ void Editor::probePictures() {
                         shown.plan && !shown.plan->trajectory.frames.empty() && shown.measured &&
                         scene_sync_.isSent() && !workspace_.lighting();
     // The classes of a plan in its light are kept, unless the search ends early.
-    if (shown.plan != probed_plan_ || workspace_.light() != probed_light_ ||
+    if (shown.plan != probed_plan_ || workspace_.lighter().light() != probed_light_ ||
         (!wanted && !frame_classes_)) {
         drawing_.requestProbes(nullptr);
         probes_.reset();
@@ -114,7 +114,7 @@ void Editor::probePictures() {
     if (!wanted || frame_classes_) return;
     if (!probes_) {
         probed_plan_ = shown.plan;
-        probed_light_ = workspace_.light();
+        probed_light_ = workspace_.lighter().light();
         CameraParams camera = shown.params.camera;
         camera.height_px = std::max(1, kWidth_px * camera.height_px / camera.width_px);
         camera.width_px = kWidth_px;

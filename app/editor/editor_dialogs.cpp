@@ -37,7 +37,10 @@ void Editor::askForFile(const std::string& id) {
         request.filters = {{"Projects", {".dolly"}}};
         request.name = workspace_.path().empty() ? workspace_.sceneFile().stem().string() + ".dolly"
                                                  : workspace_.path().filename().string();
-        if (!workspace_.path().empty()) request.start = workspace_.path().parent_path();
+        // The built-in scene's folder cannot be written.
+        const std::filesystem::path& beside =
+            workspace_.path().empty() ? workspace_.sceneFile() : workspace_.path();
+        if (beside != example_) request.start = beside.parent_path();
     } else if (id == "annotations") {
         const std::filesystem::path beside = annotationFileOf(workspace_.sceneFile());
         request.purpose = ui::FileRequest::Purpose::Save;

@@ -232,6 +232,7 @@ ui::ExportView Editor::exportView() {
 void Editor::drawExport() {
     const ui::ExportView view = exportView();
     const ui::ExportActions actions = ui::drawExportPanel(view, panels_.export_draft);
+    export_missing_ = actions.missing_height;
     if (!actions.edited.empty()) setParameter(actions.edited);
     if (actions.finished) workspace_.endMerge();
     if (actions.choose_folder) askForFile("export folder");

@@ -99,9 +99,11 @@ ui::MotionView Editor::motionView() {
     view.why_no_replacing = whyNoReplacing();
     if (motion && motion == repaired_motion_) view.change = motion_change_;
     if (motion && motion == made_motion_) view.change = move_note_;
-    view.can_read_again = motion && motion == read_motion_;
-    const auto worlds = ui::motionWorlds();
-    view.world = static_cast<int>(std::ranges::find(worlds, motion_file_.world) - worlds.begin());
+    if (const MotionFile* file = motionFile()) {
+        const auto worlds = ui::motionWorlds();
+        view.can_read_again = true;
+        view.world = static_cast<int>(std::ranges::find(worlds, file->world) - worlds.begin());
+    }
     const BackgroundWorker::State job = motions_.state();
     view.busy = job.busy;
     view.fraction = job.fraction;
@@ -128,9 +130,17 @@ void Editor::follow(const ui::MotionActions& actions) {
     if (actions.cancel) motions_.cancel();
     if (actions.read_in_world >= 0) {
         const auto world = static_cast<std::size_t>(actions.read_in_world);
-        readMotion({motion_file_.path, ui::motionWorlds()[world]});
+        if (const MotionFile* file = motionFile()) {
+            readMotion({file->path, ui::motionWorlds()[world]});
+        }
     }
     if (actions.make) makeMove();
+}
+
+const MotionFile* Editor::motionFile() const {
+    const SharedMotion& motion = workspace_.state().edits.plan.motion;
+    const auto read = std::ranges::find(read_motions_, motion, &ReadMotion::motion);
+    return motion && read != read_motions_.end() ? &read->file : nullptr;
 }
 
 void Editor::readMotion(const MotionFile& file) {
@@ -162,7 +172,7 @@ void Editor::makeMove() {
                          "or replace them.",
                          cameraKeys().size()),
              {{"Append", [make, motion] { make(motion); }}, {"Replace", [make] { make({}); }}}});
-    } else if (motion && motion == read_motion_) {
+    } else if (motionFile() != nullptr) {
         questions_.ask({title,
                         fmt::format("The move replaces the imported path {}. Undo brings it back.",
                                     motion->name),
@@ -197,7 +207,8 @@ void Editor::takeMotion() {
                          {}});
         return;
     }
-    const bool was_read = workspace_.state().edits.plan.motion == read_motion_;
+    const std::optional<MotionFile> file_before =
+        motionFile() != nullptr ? std::optional(*motionFile()) : std::nullopt;
     nlohmann::json operation = motionJson((*outcome)->motion);
     operation["op"] = "set_motion";
     const Status done = workspace_.apply(operation);
@@ -206,8 +217,8 @@ void Editor::takeMotion() {
     const SharedMotion& motion = workspace_.state().edits.plan.motion;
     const MotionWorker::Source source = (*outcome)->source;
     const bool repaired = source == MotionWorker::Source::Repair;
-    if (source == MotionWorker::Source::File) motion_file_ = (*outcome)->file;
-    if (source == MotionWorker::Source::File || (repaired && was_read)) read_motion_ = motion;
+    if (source == MotionWorker::Source::File) read_motions_.push_back({motion, (*outcome)->file});
+    if (repaired && file_before) read_motions_.push_back({motion, *file_before});
     if (source == MotionWorker::Source::Move) {
         made_motion_ = motion;
         move_note_ = (*outcome)->note;

@@ -182,6 +182,9 @@ void Editor::addTransformCommands() {
         if (!view && selected_.now().objects.size() > 1) {
             return "Only one object at a time can be moved or rotated.";
         }
+        if (!view && movableObject() != 0) {
+            return "The selected object is hidden; show it first (Alt+H).";
+        }
         if (!view) return "Select an object, a position point or a box first.";
         return turns && !view->turns ? "Boxes cannot be rotated." : "";
     };

@@ -214,6 +214,9 @@ void Editor::drawSelection() {
     if (actions.look_through) lookAlongPose(*actions.look_through);
     if (actions.remedy.find) remedies_.find(shown, object);
     if (actions.remedy.cancel) remedies_.cancel();
+    if (actions.remedy.select_object) {
+        return selectObject(view.remedy.row.remedy->move_object, false);
+    }
     if (actions.remedy.apply) {
         tellRefusal(workspace_.applyAll(remedies_.operations(), remedies_.name()));
     }
@@ -344,9 +347,24 @@ void Editor::drawPlanStatus(const Plan& plan) {
         fmt::format("{} targets fill at least 5 % of the image in one of the frames; {} of "
                     "the frames are key frames. The Metrics panel tells more.",
                     capture.well_captured, keys));
-    if (drawing_.finalLight()) return;
+    drawLightStatus();
+}
+
+void Editor::drawLightStatus() {
+    const LightWorker& light = workspace_.lighter();
+    if (drawing_.finalLight() || (light.isFinal() && !light.state().busy)) return;
     ImGui::SameLine();
-    ImGui::TextDisabled("   computing light \u2026");
+    if (light.stopped()) {
+        ImGui::TextDisabled(light.light() ? "   coarse light" : "   without light");
+        ImGui::SameLine();
+        if (ui::link("Compute", "status.light.start")) workspace_.startLight();
+        return;
+    }
+    ImGui::TextDisabled("   computing light %.0f %%", 100.0 * light.state().fraction);
+    ui::nameItem("status.light");
+    ui::tooltip("Light as in exports; meanwhile a coarser one is shown. It waits while planning.");
+    ImGui::SameLine();
+    if (ui::link("Stop", "status.light.stop")) workspace_.stopLight();
 }
 
 void Editor::drawSceneStatus() {

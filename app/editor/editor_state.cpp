@@ -1,6 +1,6 @@
 #include "app/editor/editor.h"
 #include "engine/document/edits_json.h"
-#include "ui/widgets/cut_letters.h"
+#include "ui/widgets/cut_lines.h"
 #include "ui/widgets/item_map.h"
 
 #include <nlohmann/json.hpp>
@@ -88,7 +88,11 @@ void Editor::addSceneAndPlanTo(nlohmann::json& state) {
         state["camera_keys"].push_back(
             {{"time_s", key.time_s}, {"reached_s", key.reached_s}, {"note", key.note}});
     }
+    state["stages_computed"] = nlohmann::json::array();
     if (shown.plan) {
+        for (const StageTime& stage : shown.plan->stages) {
+            if (!stage.reused) state["stages_computed"].push_back(stage.name);
+        }
         int collisions = 0;
         for (const SmoothPath& path : shown.plan->smooth_paths) collisions += path.collisions;
         state["plan"] = {
@@ -105,106 +109,115 @@ void Editor::addSceneAndPlanTo(nlohmann::json& state) {
     }
 }
 
-nlohmann::json Editor::stateJson() {
-    const PlanOutcome& shown = workspace_.shown();
-    nlohmann::json items = nlohmann::json::object();
+void Editor::addProjectTo(nlohmann::json& state) {
+    const bool open = workspace_.isOpen();
+    state["open"] = open;
+    state["project"] = workspace_.path().string();
+    state["title"] = workspace_.title();
+    state["unsaved"] = workspace_.unsaved();
+    state["parameters"] = open ? workspace_.state().parameters : nlohmann::json();
+    state["history"] = workspace_.history().names();
+    state["history_position"] = workspace_.history().position();
+    state["busy"] = {{"loading", workspace_.loading().busy || autosave_.searching()},
+                     {"planning", workspace_.planning().busy},
+                     {"saving", workspace_.saving()},
+                     {"lighting", workspace_.lighting()},
+                     {"drawing", drawing_.busy()}};
+    state["plan_is_current"] = open && workspace_.planIsCurrent();
+    state["plan_error"] = workspace_.planError();
+    state["plan_outdated"] = workspace_.shown().outdated;
+    state["file_changed"] = workspace_.fileChanged();
+    state["import"] = open ? workspace_.importSettings() : nlohmann::json();
+    state["latency_ms"] = workspace_.lastLatency_ms();
+    state["edits"] = open ? editsJson(workspace_.state().edits) : nlohmann::json();
+    state["autosaves"] = autosave_.count();
+}
+
+void Editor::addSelectionTo(nlohmann::json& state) const {
+    state["selected"] = selected_.objects();
+    state["selection_kind"] = static_cast<int>(selected_.now().kind);
+    state["selection_index"] = selected_.now().index;
+    state["drag_text"] = gizmo_.text();
+    state["local_view"] = selected_.inLocalView();
+    state["hidden"] = std::ranges::count(selected_.hidden(), true);
+    state["hidden_ids"] = numbersOf(selected_.hidden());
+}
+
+void Editor::addTimelineTo(nlohmann::json& state) const {
+    state["frame"] = playback_.frame();
+    state["playing"] = playback_.playing();
+    state["track_time"] = track_time_.now();
+    state["tracks_play"] = track_time_.playing();
+    state["step"] = step_playback_.taken();
+}
+
+void Editor::addViewTo(nlohmann::json& state) {
+    const ui::ViewerCamera& camera = panels_.viewport.camera;
+    state["through_camera"] = through_camera_;
+    state["view_name"] = viewName();
+    state["camera"] = {{"pivot", {camera.pivot.x(), camera.pivot.y(), camera.pivot.z()}},
+                       {"azimuth", camera.azimuth},
+                       {"elevation", camera.elevation},
+                       {"distance", camera.distance},
+                       {"orthographic", camera.orthographic}};
+    state["layers"] = {
+        {"free_space", layer_settings_.free_space}, {"points", layer_settings_.points},
+        {"roadmap", layer_settings_.roadmap},       {"trajectory", layer_settings_.trajectory},
+        {"candidates", layer_settings_.candidates}, {"no_go", layer_settings_.no_go_boxes},
+        {"quality", layer_settings_.quality},       {"slice_m", layer_settings_.slice.position_m},
+        {"stepping", step_playback_.shown()}};
+    state["legends"] = legendsJson(layers_.layers());
+    state["box_select"] = panels_.viewport.box_select;
+    state["clip"] = clip_.shown() ? boxNumbers(*clip_.shown()) : nlohmann::json();
+    state["preview"] = {{"frame", drawing_.preview().frame},
+                        {"serial", drawing_.preview().serial},
+                        {"open", panels_.preview.open},
+                        {"docked", previewIsDocked()},
+                        {"modality", static_cast<int>(drawing_.preview().modality)},
+                        {"final_light", drawing_.finalLight()}};
+    state["picture_ms"] = drawing_.view().milliseconds;
+    state["picture_serial"] = drawing_.view().serial;
+}
+
+void Editor::addWindowTo(nlohmann::json& state) {
+    state["window"] = {window_.settings().width, window_.settings().height};
+    state["dialogs"] = {{"file", files_.isOpen()},
+                        {"help", panels_.help.open},
+                        {"palette", panels_.palette.open},
+                        {"sheet", sheet_.isOpen()}};
+    state["theme"] = settings_.theme == ui::ThemeKind::Light ? "light" : "dark";
+    state["zoom"] = settings_.zoom;
+    state["scale"] = window_.contentScale();
+    state["recent"] = settings_.recent;
+    state["start"] = startJson();
+    state["log_version"] = log_.version();
+    state["gl_errors"] = window_.glErrors();
+    state["frames"] = window_.frames();
+    const auto& longest = window_.longestFrame();
+    state["longest_frame_ms"] = longest.total_ms;
+    state["longest_frame"] = {{"widgets_ms", longest.widgets_ms},
+                              {"draw_ms", longest.draw_ms},
+                              {"swap_ms", longest.swap_ms},
+                              {"processor_ms", longest.processor_ms}};
+    state["items"] = nlohmann::json::object();
     for (const ui::NamedItem& item : ui::item_map::items()) {
-        items[item.name] = {item.left, item.top, item.right, item.bottom, item.enabled};
+        state["items"][item.name] = {item.left, item.top, item.right, item.bottom, item.enabled};
     }
-    nlohmann::json cut_text = nlohmann::json::array();
+    state["cut_text"] = nlohmann::json::array();
     for (const ui::CutLine& line : ui::cutLines()) {
-        cut_text.push_back({line.text, line.left, line.top, line.right, line.bottom});
+        state["cut_text"].push_back({line.text, line.left, line.top, line.right, line.bottom});
     }
-    nlohmann::json state = {
-        {"open", workspace_.isOpen()},
-        {"project", workspace_.path().string()},
-        {"title", workspace_.title()},
-        {"unsaved", workspace_.unsaved()},
-        {"parameters", workspace_.isOpen() ? workspace_.state().parameters : nlohmann::json()},
-        {"history", workspace_.history().names()},
-        {"history_position", workspace_.history().position()},
-        {"busy",
-         {{"loading", workspace_.loading().busy || autosave_.searching()},
-          {"planning", workspace_.planning().busy},
-          {"saving", workspace_.saving()},
-          {"lighting", workspace_.lighting()},
-          {"drawing", drawing_.busy()}}},
-        {"plan_is_current", workspace_.isOpen() && workspace_.planIsCurrent()},
-        {"plan_error", workspace_.planError()},
-        {"plan_outdated", shown.outdated},
-        {"file_changed", workspace_.fileChanged()},
-        {"import", workspace_.isOpen() ? workspace_.importSettings() : nlohmann::json()},
-        {"latency_ms", workspace_.lastLatency_ms()},
-        {"selected", selected_.objects()},
-        {"selection_kind", static_cast<int>(selected_.now().kind)},
-        {"selection_index", selected_.now().index},
-        {"drag_text", gizmo_.text()},
-        {"frame", playback_.frame()},
-        {"playing", playback_.playing()},
-        {"track_time", track_time_.now()},
-        {"tracks_play", track_time_.playing()},
-        {"step", step_playback_.taken()},
-        {"through_camera", through_camera_},
-        {"edits", workspace_.isOpen() ? editsJson(workspace_.state().edits) : nlohmann::json()},
-        {"camera",
-         {{"pivot",
-           {panels_.viewport.camera.pivot.x(), panels_.viewport.camera.pivot.y(),
-            panels_.viewport.camera.pivot.z()}},
-          {"azimuth", panels_.viewport.camera.azimuth},
-          {"elevation", panels_.viewport.camera.elevation},
-          {"distance", panels_.viewport.camera.distance},
-          {"orthographic", panels_.viewport.camera.orthographic}}},
-        {"layers",
-         {{"free_space", layer_settings_.free_space},
-          {"points", layer_settings_.points},
-          {"roadmap", layer_settings_.roadmap},
-          {"trajectory", layer_settings_.trajectory},
-          {"candidates", layer_settings_.candidates},
-          {"no_go", layer_settings_.no_go_boxes},
-          {"quality", layer_settings_.quality},
-          {"slice_m", layer_settings_.slice.position_m},
-          {"stepping", step_playback_.shown()}}},
-        {"legends", legendsJson(layers_.layers())},
-        {"box_select", panels_.viewport.box_select},
-        {"local_view", selected_.inLocalView()},
-        {"clip", clip_.shown() ? boxNumbers(*clip_.shown()) : nlohmann::json()},
-        {"window", {window_.settings().width, window_.settings().height}},
-        {"autosaves", autosave_.count()},
-        {"hidden", std::ranges::count(selected_.hidden(), true)},
-        {"hidden_ids", numbersOf(selected_.hidden())},
-        {"dialogs",
-         {{"file", files_.isOpen()},
-          {"help", panels_.help.open},
-          {"palette", panels_.palette.open},
-          {"sheet", sheet_.isOpen()}}},
-        {"preview",
-         {{"frame", drawing_.preview().frame},
-          {"serial", drawing_.preview().serial},
-          {"open", panels_.preview.open},
-          {"docked", previewIsDocked()},
-          {"modality", static_cast<int>(drawing_.preview().modality)},
-          {"final_light", drawing_.finalLight()}}},
-        {"exports", exportsJson()},
-        {"comparison", comparisonJson()},
-        {"theme", settings_.theme == ui::ThemeKind::Light ? "light" : "dark"},
-        {"zoom", settings_.zoom},
-        {"scale", window_.contentScale()},
-        {"recent", settings_.recent},
-        {"start", startJson()},
-        {"log_version", log_.version()},
-        {"gl_errors", window_.glErrors()},
-        {"frames", window_.frames()},
-        {"longest_frame_ms", window_.longestFrame().total_ms},
-        {"longest_frame",
-         {{"widgets_ms", window_.longestFrame().widgets_ms},
-          {"draw_ms", window_.longestFrame().draw_ms},
-          {"swap_ms", window_.longestFrame().swap_ms},
-          {"processor_ms", window_.longestFrame().processor_ms}}},
-        {"picture_ms", drawing_.view().milliseconds},
-        {"picture_serial", drawing_.view().serial},
-        {"items", std::move(items)},
-        {"cut_text", std::move(cut_text)},
-    };
+}
+
+nlohmann::json Editor::stateJson() {
+    nlohmann::json state;
+    addProjectTo(state);
+    addSelectionTo(state);
+    addTimelineTo(state);
+    addViewTo(state);
+    addWindowTo(state);
+    state["exports"] = exportsJson();
+    state["comparison"] = comparisonJson();
     questions_.addTo(state);
     addSceneAndPlanTo(state);
     window_.resetLongestFrame();

@@ -24,7 +24,9 @@ void Editor::addViewCommands() {
                    [this] { bringIntoView(selectedBox()); },
                    [this]() -> std::string {
                        return selectedBox().isEmpty() ? "Select something first." : "";
-                   }});
+                   },
+                   {},
+                   {GLFW_KEY_KP_DECIMAL}});
     commands_.add({"view.frame_all",
                    "View",
                    "Show everything",
@@ -85,6 +87,19 @@ void Editor::addViewCommands() {
          [this]() -> std::string { return frameCount() > 0 ? "" : "There is no trajectory."; },
          [this] { return through_camera_; }});
     keypad_.push_back({GLFW_KEY_KP_0, false, through});
+    commands_.add({"view.light",
+                   "View",
+                   "Compute the light",
+                   {},
+                   [this] {
+                       const bool busy = workspace_.lighting();
+                       busy ? workspace_.stopLight() : workspace_.startLight();
+                   },
+                   [this]() -> std::string {
+                       const bool can = workspace_.lighting() || workspace_.lighter().stopped();
+                       return can ? "" : "The light is computed already.";
+                   },
+                   [this] { return workspace_.lighting(); }});
     commands_.add({"view.preview",
                    "View",
                    "Preview of the camera",

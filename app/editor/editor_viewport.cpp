@@ -91,6 +91,14 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     return view;
 }
 
+std::string Editor::viewName() const {
+    if (through_camera_) return "Camera";
+    const ui::ViewerCamera& camera = panels_.viewport.camera;
+    return fmt::format("{} {}{}", camera.axisName(),
+                       camera.orthographic ? "Orthographic" : "Perspective",
+                       selected_.inLocalView() ? " (local view)" : "");
+}
+
 void Editor::requestLayers() {
     const PlanOutcome& shown = workspace_.shown();
     if (!shown.scene) return;
@@ -105,6 +113,9 @@ void Editor::requestLayers() {
     request.stepping = step_playback_.shown();
     request.selection = selected_.now();
     for (const ui::MovedObject& one : movedObjects()) request.moved.push_back(one.object_id);
+    for (const int id : selected_.objects()) {
+        if (selected_.isLeftOut(id)) request.left_out.push_back(id);
+    }
     request.no_go = workspace_.state().edits.plan.no_go;
     request.regions = workspace_.state().edits.plan.regions;
     request.motion = workspace_.state().edits.plan.motion;
@@ -200,6 +211,7 @@ std::optional<ui::GizmoView> Editor::gizmoView() {
     const MotionKey* key = selectedKey();
     view.turns = point != nullptr || key != nullptr;
     if (const int object = movableObject(); object != 0) {
+        if (selected_.isLeftOut(object)) return std::nullopt;
         view.pose = objectPose(object);
         view.turns = true;
         view.tilts = false;
@@ -326,8 +338,9 @@ void Editor::drawLegend() {
     panels_.legend.hovered = false;
     if (legends.empty() || through_camera_) return;
     const float margin = ui::scaled(10);
+    const float below_name = ImGui::GetTextLineHeight() + ui::scaled(4);
     const ImVec2 low(static_cast<float>(pane_.origin.x()) + margin,
-                     static_cast<float>(pane_.origin.y()) + margin);
+                     static_cast<float>(pane_.origin.y()) + margin + below_name);
     // In a small viewport the legend would hide much of the scene.
     const bool has_room = static_cast<float>(pane_.width) > ui::scaled(800) &&
                           static_cast<float>(pane_.height) > ui::scaled(440);
@@ -335,7 +348,7 @@ void Editor::drawLegend() {
     panels_.legend.open = open;
     ui::drawLegendBox(legends, low,
                       {static_cast<float>(pane_.width) - 2 * margin,
-                       static_cast<float>(pane_.height) - 2 * margin},
+                       static_cast<float>(pane_.height) - 2 * margin - below_name},
                       panels_.legend);
     if (panels_.legend.open != open) settings_.layout.show_legend = panels_.legend.open;
 }
@@ -359,14 +372,40 @@ void Editor::drawImportBar() {
         ui::drawNoteBar("import_doubt", up + (up.empty() || unit.empty() ? "" : "; ") + unit,
                         {{"Read with " + settingsText(proposal),
                           "Reload the scene file with this setting; can be undone"},
-                         {"Keep", "Hide this line"}});
+                         {"Keep",
+                          "Keep the settings in use, and do not ask again: they are stored "
+                          "in the project"}});
     if (pressed == 0) workspace_.applyProposal();
-    if (pressed == 1) import_bar_dismissed_ = true;
+    if (pressed != 1) return;
+    import_bar_dismissed_ = true;
+    settings_.addSeen(kImportKept + workspace_.sceneFile().string());
+    workspace_.keepImport();
+}
+
+void Editor::drawTextureBar() {
+    if (!textures_note_ || !workspace_.isOpen()) return;
+    const std::vector<std::string>& missing = workspace_.importReport().textures_missing;
+    const std::string count = missing.size() == 1
+                                  ? "1 texture is missing"
+                                  : fmt::format("{} textures are missing", missing.size());
+    const int pressed = ui::drawNoteBar(
+        "textures_missing", count + "; those surfaces have a plain colour.",
+        {{"Details\u2026", "Name the missing textures"}, {"Hide", "Hide this line"}});
+    if (pressed == 1) textures_note_ = false;
+    if (pressed != 0) return;
+    constexpr std::size_t kMostNamed = 20;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(missing.size(), kMostNamed); ++i)
+        text += missing[i] + "\n";
+    if (missing.size() > kMostNamed)
+        text += fmt::format("and {} more\n", missing.size() - kMostNamed);
+    questions_.tell({false, count, text + "Put them beside the scene file and open it again.", {}});
 }
 
 void Editor::drawBars() {
     drawImportBar();
     drawKeyBar();
+    drawTextureBar();
     if (!workspace_.fileChanged()) return;
     const std::filesystem::path file = workspace_.path();
     const int pressed = ui::drawNoteBar(
@@ -404,6 +443,7 @@ void Editor::drawCentre() {
     if (workspace_.shown().outdated)
         view.remark = "Previous plan: planning with these parameters failed";
     view.locked = through_camera_;
+    view.name = viewName();
     if (through_camera_) {
         const CameraParams& camera = workspace_.shown().params.camera;
         view.aspect = static_cast<double>(camera.width_px) / camera.height_px;

@@ -6,7 +6,7 @@
 #include "app/project/read_project.h"
 #include "app/version.h"
 #include "engine/core/log.h"
-#include "ui/widgets/cut_letters.h"
+#include "ui/widgets/cut_lines.h"
 #include "ui/widgets/item_map.h"
 
 #include <CLI/CLI.hpp>
@@ -64,10 +64,11 @@ int run(const std::string& path, const std::string& socket,
         // The first frame after a request may still change the state; the second one shows it.
         // Queued input events may need a frame each.
         if (inspector && inspector->asked()) {
-            ui::requestCutLines();
             if (!(*window)->hasInput() && ++frames_until_answer > 2) {
                 inspector->answer(shell.stateJson());
                 frames_until_answer = 0;
+            } else if (frames_until_answer == 2) {
+                ui::requestCutLines();
             }
             (*window)->animate();
         }

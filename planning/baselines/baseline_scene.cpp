@@ -17,21 +17,32 @@ Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const
     if (Status status = validate(params); !status) {
         return tl::unexpected(std::move(status.error()));
     }
+    const auto rays = std::make_shared<const RayCaster>(*scene);
+    auto map = FreeSpace::build(*scene, *rays, params.camera, params.free_space, job);
+    if (!map) return tl::unexpected(std::move(map.error()));
+    const auto free_space = std::make_shared<const FreeSpace>(std::move(*map));
+    const auto region = std::make_shared<const AllowedRegion>(
+        *scene, *rays, *free_space, edits.no_go, params.free_space, params.body,
+        params.camera.camera_radius_m);
+    BaselineScene made =
+        baselineSceneOver(std::move(scene), edits, params, rays, free_space, region);
+    made.texture_corners = std::make_shared<const TextureCorners>(*made.scene);
+    return made;
+}
+
+BaselineScene baselineSceneOver(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
+                                const PlanParams& params, std::shared_ptr<const RayCaster> rays,
+                                std::shared_ptr<const FreeSpace> free_space,
+                                std::shared_ptr<const AllowedRegion> region) {
     BaselineScene made;
     made.scene = std::move(scene);
     made.edits = edits;
-    made.rays = std::make_shared<const RayCaster>(*made.scene);
-    auto map = FreeSpace::build(*made.scene, *made.rays, params.camera, params.free_space, job);
-    if (!map) return tl::unexpected(std::move(map.error()));
-    made.free_space = std::make_shared<const FreeSpace>(std::move(*map));
-    const double radius = params.camera.camera_radius_m;
-    made.region =
-        std::make_shared<const AllowedRegion>(*made.scene, *made.rays, *made.free_space,
-                                              edits.no_go, params.free_space, params.body, radius);
-    made.sphere = std::make_shared<const SweptSphere>(*made.rays, *made.free_space, radius,
-                                                      made.region.get());
+    made.rays = std::move(rays);
+    made.free_space = std::move(free_space);
+    made.region = std::move(region);
+    made.sphere = std::make_shared<const SweptSphere>(
+        *made.rays, *made.free_space, params.camera.camera_radius_m, made.region.get());
     made.views = std::make_shared<const ViewEstimator>(*made.scene, *made.rays, params.camera);
-    made.texture_corners = std::make_shared<const TextureCorners>(*made.scene);
     return made;
 }
 

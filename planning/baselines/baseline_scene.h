@@ -19,6 +19,14 @@ namespace dollytrack::planning {
 Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                        const PlanParams& params, const JobContext& job);
 
+/// The same from maps that exist, such as those of a pipeline's last run, and without
+/// `texture_corners`, which only metrics need. The maps must have been made from this scene, these
+/// edits and these parameters.
+BaselineScene baselineSceneOver(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
+                                const PlanParams& params, std::shared_ptr<const RayCaster> rays,
+                                std::shared_ptr<const FreeSpace> free_space,
+                                std::shared_ptr<const AllowedRegion> region);
+
 /// Divides `total` among the rooms in proportion to the volume where the camera fits. Rooms with
 /// less than `least` get 0; the largest room gets the remainder. One entry per room.
 std::vector<int> shareByRoom(const BaselineScene& scene, int total, int least);

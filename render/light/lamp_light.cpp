@@ -153,9 +153,14 @@ std::vector<Eigen::Vector3f> sceneLampsByCell(const LightRig& rig, const RayCast
                                               const LightBounces& bounces, const JobContext& job) {
     std::vector<Eigen::Vector3f> result(cells.count());
     const SceneLampGatherer gatherer(rig, rays, cells, bounces);
-    parallelRanges(result.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end && !job.cancelled(); ++i) result[i] = gatherer.at(i);
-    });
+    constexpr std::size_t kPiece = 8192;  // cells between two progress reports
+    for (std::size_t begin = 0; begin < result.size() && !job.cancelled(); begin += kPiece) {
+        job.report(static_cast<double>(begin) / static_cast<double>(result.size()));
+        const std::size_t piece = std::min(kPiece, result.size() - begin);
+        parallelRanges(piece, 64, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) result[begin + i] = gatherer.at(begin + i);
+        });
+    }
     cells.closeHoles(result);
     return result;
 }

@@ -204,6 +204,10 @@ std::optional<LightVolume> LightCache::find(const std::string& key) const {
     return volume;
 }
 
+bool LightCache::has(const std::string& key) const {
+    return folder_.openInput(key + kExtension).has_value();
+}
+
 void LightCache::keep(const std::string& key, const LightVolume& volume) const {
     Writer write;
     visitVolume(write, volume);
@@ -222,6 +226,11 @@ LightVolume lightVolumeOf(const Scene& scene, const RayCaster& rays, const Light
     LightVolume volume = bakeLightVolume(scene, rays, rig, params, job);
     if (!job.cancelled()) cache->keep(key, volume);
     return volume;
+}
+
+bool isLightVolumeKept(const Scene& scene, const LightRig& rig, const LightVolumeParams& params) {
+    const std::optional<LightCache> cache = LightCache::ofUser();
+    return cache && cache->has(LightCache::keyOf(scene, rig, params));
 }
 
 }  // namespace dollytrack::render

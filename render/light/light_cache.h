@@ -28,6 +28,8 @@ class LightCache {
                                            const LightVolumeParams& params);
 
     [[nodiscard]] std::optional<LightVolume> find(const std::string& key) const;
+    /// Whether there is a volume, which may be damaged.
+    [[nodiscard]] bool has(const std::string& key) const;
     /// Stores a volume. Failures are ignored.
     void keep(const std::string& key, const LightVolume& volume) const;
 
@@ -40,5 +42,9 @@ class LightCache {
 [[nodiscard]] LightVolume lightVolumeOf(const Scene& scene, const RayCaster& rays,
                                         const LightRig& rig, const LightVolumeParams& params = {},
                                         const JobContext& job = {});
+
+/// Whether lightVolumeOf() would take this volume from the user's cache.
+[[nodiscard]] bool isLightVolumeKept(const Scene& scene, const LightRig& rig,
+                                     const LightVolumeParams& params = {});
 
 }  // namespace dollytrack::render

@@ -21,6 +21,10 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kWhitest = 0.9F;        // largest albedo
 constexpr double kSettled = 2e-3;       // stop when one more bounce adds less than this share
 constexpr float kWhiteLevel = 0.62F;    // linear value of a white surface in average light
+constexpr std::size_t kPiece = 8192;    // cells between two progress reports
+constexpr double kGathered = 0.6;       // progress when all rays are cast
+constexpr double kLampsGathered = 0.8;  // progress when the scene's lamps are added, too
+constexpr const char* kStage = "light";
 constexpr float kDaylightShare = 0.7F;  // daylight may reach this share of lamp light at the median
 
 /// Share of light that a material reflects, by its base colour and its dielectric layer (see
@@ -70,9 +74,14 @@ class Baker {
     }
 
     LightVolume bake(const JobContext& job) {
-        parallelRanges(cells_.count(), 64, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end && !job.cancelled(); ++i) gather(i);
-        });
+        for (std::size_t begin = 0; begin < cells_.count() && !job.cancelled(); begin += kPiece) {
+            job.report(kGathered * static_cast<double>(begin) /
+                       static_cast<double>(cells_.count()));
+            const std::size_t piece = std::min(kPiece, cells_.count() - begin);
+            parallelRanges(piece, 64, [&](std::size_t first, std::size_t last) {
+                for (std::size_t i = first; i < last; ++i) gather(begin + i);
+            });
+        }
         if (job.cancelled()) return {};
         cells_.link(rays_);
         excludeOutdoorCells();
@@ -82,9 +91,12 @@ class Baker {
         balance();
         gatherSent();
         if (!rig_.scene_lamps.empty())
-            scene_lamp_light_ = sceneLampsByCell(rig_, rays_, cells_, bounces_, job);
+            scene_lamp_light_ = sceneLampsByCell(rig_, rays_, cells_, bounces_,
+                                                 job.stage(kGathered, kLampsGathered, kStage));
+        gatherLampsReflected();
         double before = 0.0;
         for (int i = 0; i < params_.bounces && !job.cancelled(); ++i) {
+            job.report(kLampsGathered + (1.0 - kLampsGathered) * i / params_.bounces);
             bounce();
             cells_.closeHoles(volume_.ambient);
             cells_.closeHoles(volume_.slope);
@@ -229,43 +241,72 @@ class Baker {
         cells_.blur(sent_aside_, width);
     }
 
+    /// Reflected lamp light for each cell, which is the same in every bounce.
+    void gatherLampsReflected() {
+        lamps_.resize(cells_.count());
+        lamps_aside_.resize(cells_.count());
+        sumOverRays(
+            [this](const LightBounce& ray) -> Eigen::Vector3f {
+                if (ray.isSky()) return Eigen::Vector3f::Zero();
+                const Eigen::Vector3f normal = ray.normal();
+                Eigen::Vector3f falls =
+                    rig_.lampLight() * std::max(0.0F, normal.dot(volume_.lamps[ray.cell]));
+                if (!scene_lamp_light_.empty()) {
+                    falls += rig_.sceneLampLight() *
+                             std::max(0.0F, normal.dot(scene_lamp_light_[ray.cell]));
+                }
+                return albedo_[ray.material].cwiseProduct(falls) / kPi;
+            },
+            [this](std::size_t i, const Eigen::Vector3f& sum, const Eigen::Vector3f& aside) {
+                lamps_[i] = sum;
+                lamps_aside_[i] = aside;
+            });
+    }
+
     void bounce() {
-        std::vector<Eigen::Vector3f> next(cells_.count());
-        std::vector<Eigen::Vector3f> slope(cells_.count(), Eigen::Vector3f::Zero());
-        parallelRanges(next.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        // One cache line has all that a ray reads; the rays of a cell end in cells far apart.
+        struct CellLight {
+            Eigen::Vector3f ambient, slope;
+        };
+        std::vector<CellLight> before(cells_.count());
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            before[i] = {volume_.ambient[i], volume_.slope[i]};
+        }
+        sumOverRays(
+            [&](const LightBounce& ray) -> Eigen::Vector3f {
+                if (ray.isSky()) return Eigen::Vector3f::Zero();
+                const CellLight& light = before[ray.cell];
+                const float facing = std::max(0.0F, 1.0F + light.slope.dot(ray.normal()));
+                return albedo_[ray.material].cwiseProduct(light.ambient) * (facing / kPi);
+            },
+            [&](std::size_t i, const Eigen::Vector3f& reflected, const Eigen::Vector3f& aside) {
+                const Eigen::Vector3f sum = reflected + lamps_[i] + sent_[i];
+                volume_.ambient[i] = sum * (kPi / static_cast<float>(bounces_.perCell()));
+                volume_.slope[i].setZero();
+                // Radiance l0 + l1 . way gives the irradiance pi * l0 + 2/3 pi * l1 . n; l1 is
+                // three times the mean of radiance * way.
+                const Eigen::Vector3f mean_way =
+                    bounces_.turn(i) * (aside + lamps_aside_[i]) + sent_aside_[i];
+                if (sum.mean() > 0.0F) volume_.slope[i] = mean_way * (2.0F / sum.mean());
+            });
+    }
+
+    /// Calls take(cell, sum, aside) for each cell with the sum of radiance(ray) over its rays, and
+    /// the sum of brightness times the direction before the cell's rotation.
+    template <class Radiance, class Take>
+    void sumOverRays(const Radiance& radiance, const Take& take) const {
+        parallelRanges(cells_.count(), 1024, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Eigen::Vector3f sum = Eigen::Vector3f::Zero();
                 Eigen::Vector3f aside = Eigen::Vector3f::Zero();
                 for (std::size_t k = 0; k < bounces_.perCell(); ++k) {
-                    const Eigen::Vector3f light = thrownBack(bounces_.of(i, k));
+                    const Eigen::Vector3f light = radiance(bounces_.of(i, k));
                     sum += light;
                     aside += light.mean() * bounces_.unturned(k);
                 }
-                sum += sent_[i];
-                next[i] = sum * (kPi / static_cast<float>(bounces_.perCell()));
-                // Radiance l0 + l1 . way gives the irradiance pi * l0 + 2/3 pi * l1 . n; l1 is
-                // three times the mean of radiance * way.
-                const Eigen::Vector3f mean_way = bounces_.turn(i) * aside + sent_aside_[i];
-                if (sum.mean() > 0.0F) slope[i] = mean_way * (2.0F / sum.mean());
+                take(i, sum, aside);
             }
         });
-        volume_.ambient = std::move(next);
-        volume_.slope = std::move(slope);
-    }
-
-    /// Radiance reflected at a ray's hit point under the light known so far.
-    [[nodiscard]] Eigen::Vector3f thrownBack(const LightBounce& ray) const {
-        if (ray.isSky()) return Eigen::Vector3f::Zero();
-        const Eigen::Vector3f normal = ray.normal();
-        const float lamp = std::max(0.0F, normal.dot(volume_.lamps[ray.cell]));
-        const float facing = 1.0F + volume_.slope[ray.cell].dot(normal);
-        Eigen::Vector3f falls =
-            volume_.ambient[ray.cell] * std::max(0.0F, facing) + rig_.lampLight() * lamp;
-        if (!scene_lamp_light_.empty()) {
-            falls +=
-                rig_.sceneLampLight() * std::max(0.0F, normal.dot(scene_lamp_light_[ray.cell]));
-        }
-        return albedo_[ray.material].cwiseProduct(falls) / kPi;
     }
 
     /// Standard deviation, m, that hides the noise of the rays.
@@ -350,14 +391,16 @@ class Baker {
     LightVolume volume_;
     std::vector<Eigen::Vector3f> scene_lamp_light_;  // irradiance vectors of the scene lamps, by
                                                      // cell; empty if there are none
-    std::vector<float> balanced_;              // by cell: sum of neutral source radiance over its
-                                               // rays
-    std::vector<char> sees_sky_;               // by cell
-    std::vector<char> sees_much_sky_;          // by cell: in a quarter of its rays
-    std::vector<Eigen::Vector3f> sent_;        // by cell, see gatherSent()
-    std::vector<Eigen::Vector3f> sent_aside_;  // by cell: the same times the incoming direction
-    std::vector<Eigen::Vector3f> albedo_;      // by material
-    std::vector<Eigen::Vector3f> emission_;    // by material
+    std::vector<float> balanced_;               // by cell: sum of neutral source radiance over its
+                                                // rays
+    std::vector<char> sees_sky_;                // by cell
+    std::vector<char> sees_much_sky_;           // by cell: in a quarter of its rays
+    std::vector<Eigen::Vector3f> sent_;         // by cell, see gatherSent()
+    std::vector<Eigen::Vector3f> sent_aside_;   // by cell: the same times the incoming direction
+    std::vector<Eigen::Vector3f> lamps_;        // by cell, see gatherLampsReflected()
+    std::vector<Eigen::Vector3f> lamps_aside_;  // by cell: the same times direction, unrotated
+    std::vector<Eigen::Vector3f> albedo_;       // by material
+    std::vector<Eigen::Vector3f> emission_;     // by material
 };
 
 }  // namespace

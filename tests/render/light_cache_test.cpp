@@ -5,10 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <set>
+#include <string_view>
+#include <vector>
 
 namespace dollytrack::render::light_cache_test {
 namespace {
@@ -66,6 +71,35 @@ TEST_F(LightCacheTest, GivesBackWhatWasBakedToTheLastBit) {
     EXPECT_EQ(kept->sun.shades.max(), volume_.sun.shades.max());
     EXPECT_TRUE(kept->sun.shines());
     EXPECT_FALSE(cache.find(LightCache::keyOf(scene_, rig_, {})));
+}
+
+TEST_F(LightCacheTest, TellsWhatItHas) {
+    const LightCache cache(cacheFolder(), kPlenty);
+    const std::string key = LightCache::keyOf(scene_, rig_, coarse());
+    EXPECT_FALSE(cache.has(key));
+    cache.keep(key, volume_);
+    EXPECT_TRUE(cache.has(key));
+}
+
+// A window waits in the progress reports while plans are made.
+TEST_F(LightCacheTest, BakingReportsProgressAndCanBeCancelledThere) {
+    LightVolumeParams params;
+    params.max_cells = 40'000;  // several pieces
+    std::vector<double> reports;
+    const JobContext job(nullptr, [&](double fraction, std::string_view) {
+        reports.push_back(fraction);
+    });
+    const LightVolume whole = bakeLightVolume(scene_, rays_, rig_, params, job);
+    EXPECT_FALSE(whole.ambient.empty());
+    EXPECT_GE(reports.size(), 6U);
+    EXPECT_TRUE(std::ranges::is_sorted(reports));
+    EXPECT_LE(reports.back(), 1.0);
+
+    const auto cancelled = std::make_shared<std::atomic<bool>>(false);
+    const JobContext stopped(cancelled, [&](double fraction, std::string_view) {
+        if (fraction > 0.1) *cancelled = true;
+    });
+    EXPECT_TRUE(bakeLightVolume(scene_, rays_, rig_, params, stopped).ambient.empty());
 }
 
 TEST_F(LightCacheTest, WhateverChangesTheLightHasAnotherName) {

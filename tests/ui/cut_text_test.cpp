@@ -1,7 +1,7 @@
 #include "ui/widgets/cut_text.h"
 
 #include "tests/ui/screen.h"
-#include "ui/widgets/cut_letters.h"
+#include "ui/widgets/cut_lines.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

@@ -143,6 +143,20 @@ TEST(FalseColor, NormalsOfAWallStraightAheadFaceTheCamera) {
     EXPECT_NEAR(rgba[middle + 2], 0, 1);  // towards the camera: -z
 }
 
+TEST(ViewerCamera, NamesTheAxisItLooksAlong) {
+    ViewerCamera camera;
+    using Axis = ViewerCamera::Axis;
+    for (const auto& [axis, name] :
+         {std::pair(Axis::Front, "Front"), std::pair(Axis::Back, "Back"),
+          std::pair(Axis::Left, "Left"), std::pair(Axis::Right, "Right"),
+          std::pair(Axis::Top, "Top"), std::pair(Axis::Bottom, "Bottom")}) {
+        camera.lookFrom(axis);
+        EXPECT_STREQ(camera.axisName(), name);
+    }
+    camera.orbit(10, 5);
+    EXPECT_STREQ(camera.axisName(), "User");
+}
+
 TEST(ViewImage, ObjectsInABoxAreThoseWithAPixelInIt) {
     ViewImage image;
     image.serial = 1;

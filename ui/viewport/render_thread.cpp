@@ -172,7 +172,7 @@ void RenderThread::Impl::release() {
 
 Status RenderThread::Impl::loadScene(SceneRequest request) {
     const bool same = renderer && request.scene && request.geometry == geometry;
-    if (!same) {
+    if (!same || request.light_is_coarse) {
         const std::lock_guard lock(mutex);
         final_light = false;
     }
@@ -207,7 +207,7 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     }
     finishRenderer();
     const std::lock_guard lock(mutex);
-    final_light = lit_by != nullptr;
+    final_light = lit_by != nullptr && !request.light_is_coarse;
     return status;
 }
 

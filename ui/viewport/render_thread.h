@@ -87,7 +87,8 @@ struct SceneRequest {
     std::shared_ptr<const RayCaster> rays;             // ray caster for mirrors; may be null
     std::shared_ptr<const render::LightVolume> light;  // null: uniform light
     int anisotropy = 0;                                // see SceneRenderer::setAnisotropy()
-    std::uint64_t geometry = 0;  // identifies the geometry; uploaded only if it changes
+    std::uint64_t geometry = 0;    // identifies the geometry; uploaded only if it changes
+    bool light_is_coarse = false;  // a finer light follows, see RenderThread::finalLight()
 };
 
 /// Renders the viewport and the preview on a thread with its own OpenGL context, so that large

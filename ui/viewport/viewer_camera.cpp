@@ -120,6 +120,21 @@ void ViewerCamera::lookFrom(Axis axis) {
     }
 }
 
+const char* ViewerCamera::axisName() const {
+    constexpr double kSame = 1e-6;
+    const auto is = [&](double wanted) {
+        return std::abs(std::remainder(azimuth - wanted, 2.0 * kPi)) < kSame;
+    };
+    if (kPi / 2.0 - std::abs(elevation) < kSame && is(-kPi / 2.0)) {
+        return elevation > 0.0 ? "Top" : "Bottom";
+    }
+    if (std::abs(elevation) > kSame) return "User";
+    if (is(-kPi / 2.0)) return "Front";
+    if (is(kPi / 2.0)) return "Back";
+    if (is(0.0)) return "Right";
+    return is(kPi) ? "Left" : "User";
+}
+
 void ViewerCamera::standAt(const Pose& camera, double pivot_distance) {
     const Eigen::Vector3d back = -camera.forward();
     elevation = std::asin(std::clamp(back.z(), -1.0, 1.0));

@@ -35,6 +35,8 @@ struct ViewerCamera {
     void look(double dx, double dy);
     void frame(const Eigen::AlignedBox3d& box, double aspect);
     void lookFrom(Axis axis);
+    /// "Front", "Top" …; "User" if the view is along no axis.
+    [[nodiscard]] const char* axisName() const;
     /// Takes the position and direction of a camera of the plan; the pivot lies `pivot_distance` m
     /// ahead.
     void standAt(const Pose& pose, double pivot_distance);

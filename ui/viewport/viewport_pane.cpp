@@ -42,6 +42,17 @@ void drawPlate(const std::string& text, ImVec2 top, const ImVec4& color) {
     list->AddText(low, ImGui::GetColorU32(color), text.c_str());
 }
 
+/// The name of the view, with a shadow, because it lies on the image.
+void drawViewName(const std::string& name, ImVec2 low) {
+    const ImVec2 at(low.x + scaled(10), low.y + scaled(8));
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddText({at.x + scaled(1), at.y + scaled(1)}, ImGui::GetColorU32(ImGuiCol_WindowBg),
+                  name.c_str());
+    list->AddText(at, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+    nameArea("viewport.name", at.x, at.y, at.x + size.x, at.y + size.y);
+}
+
 void zoomWithWheel(const ViewportView& view, ViewportState& state, ViewportActions& actions) {
     const float wheel = ImGui::GetIO().MouseWheel;
     if (wheel == 0.0F) return;
@@ -252,6 +263,7 @@ ViewportActions drawViewport(const ViewportView& view, ViewportState& state) {
         nameArea("viewport.remark", centre - 3, pane_low.y + scaled(18), centre + 3,
                  pane_low.y + scaled(18) + 2 * half_line);
     }
+    if (view.image != nullptr && !view.name.empty()) drawViewName(view.name, low);
     ImGui::SetCursorScreenPos(low);
     ImGui::InvisibleButton("viewport", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |

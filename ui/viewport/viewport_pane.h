@@ -17,6 +17,7 @@ struct ViewportView {
     const ViewImage* image = nullptr;
     std::string message;     // centred, while there is no image
     std::string remark;      // at the top of the image
+    std::string name;        // of the view, in the image's top left corner: "Front Orthographic"
     bool locked = false;     // locked to the plan's camera: the mouse does not move it
     double aspect = 0.0;     // fixed aspect ratio of the image; 0: fills the pane
     bool covered = false;    // another widget lies over the mouse and takes its input

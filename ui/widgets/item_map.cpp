@@ -1,6 +1,6 @@
 #include "ui/widgets/item_map.h"
 
-#include "ui/widgets/cut_letters.h"
+#include "ui/widgets/cut_lines.h"
 
 #include <imgui.h>
 

@@ -195,6 +195,12 @@ std::vector<bool> SelectionTracker::leftOut() const {
     return out;
 }
 
+bool SelectionTracker::isLeftOut(int object) const {
+    const std::vector<bool> out = leftOut();
+    const auto id = static_cast<std::size_t>(object);
+    return id < out.size() && out[id];
+}
+
 Eigen::AlignedBox3d SelectionTracker::box(const Scene& scene, const Plan* plan,
                                           const PlanEdits& edits) const {
     Eigen::AlignedBox3d box;

@@ -69,6 +69,7 @@ class SelectionTracker {
     /// Objects that the viewport leaves out, by object id: hidden ones, and those outside the local
     /// view.
     [[nodiscard]] std::vector<bool> leftOut() const;
+    [[nodiscard]] bool isLeftOut(int object) const;
 
     /// The bounds of the selected elements, m, world; empty if they have no position.
     [[nodiscard]] Eigen::AlignedBox3d box(const Scene& scene, const Plan* plan,

@@ -10,6 +10,19 @@
 #include <utility>
 
 namespace dollytrack::editor {
+namespace {
+
+/// The maps of the displayed plan, which takes no time; or new ones if there is no plan.
+Result<planning::BaselineScene> mapOf(const PlanOutcome& shown, const JobContext& job) {
+    if (shown.plan) {
+        return planning::baselineSceneOver(shown.scene, shown.edits, shown.params, shown.rays,
+                                           shown.free_space, shown.region);
+    }
+    return planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
+                                      job.stage(0.0, 0.2, "free space"));
+}
+
+}  // namespace
 
 void MotionWorker::start(Source source, Work work) {
     source_ = source;
@@ -49,8 +62,7 @@ void MotionWorker::read(const MotionFile& file, const PlanOutcome& shown) {
 
 void MotionWorker::repair(const SharedMotion& motion, const PlanOutcome& shown) {
     start(Source::Repair, [motion, shown](const JobContext& job) -> Result<Outcome> {
-        const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
-                                                    job.stage(0.0, 0.2, "free space"));
+        const auto map = mapOf(shown, job);
         if (!map) return tl::unexpected(map.error());
         auto repaired = planning::repairMotion(*map, shown.params, trajectoryOf(*motion),
                                                job.stage(0.2, 1.0, "repair"));
@@ -63,8 +75,7 @@ void MotionWorker::repair(const SharedMotion& motion, const PlanOutcome& shown) 
 void MotionWorker::make(const planning::MoveRequest& move, const SharedMotion& after,
                         const PlanOutcome& shown) {
     start(Source::Move, [move, after, shown](const JobContext& job) -> Result<Outcome> {
-        const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
-                                                    job.stage(0.0, 0.2, "free space"));
+        const auto map = mapOf(shown, job);
         if (!map) return tl::unexpected(map.error());
         auto made = planning::makeMove(*map, shown.params, move, job.stage(0.2, 0.8, "move"));
         if (!made) return tl::unexpected(std::move(made.error()));
@@ -89,8 +100,7 @@ void MotionWorker::make(const planning::MoveRequest& move, const SharedMotion& a
 
 void MotionWorker::fitKeys(const SharedMotion& motion, const PlanOutcome& shown) {
     start(Source::KeyTimes, [motion, shown](const JobContext& job) -> Result<Outcome> {
-        const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
-                                                    job.stage(0.0, 0.2, "free space"));
+        const auto map = mapOf(shown, job);
         if (!map) return tl::unexpected(map.error());
         GivenMotion fitted = *motion;
         auto keys = planning::withReachableTimes(*map, shown.params.timing, std::move(fitted.keys),

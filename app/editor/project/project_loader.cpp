@@ -30,14 +30,6 @@ Result<OpenedProject> openProject(ProjectContent content, const JobContext& job)
             "The scene file has changed since the project was saved; objects were matched by name, "
             "and planning runs again.");
     }
-    const auto& missing = opened.imported->report.textures_missing;
-    if (!missing.empty()) {
-        opened.warnings.push_back(
-            std::to_string(missing.size()) +
-            (missing.size() == 1 ? " texture is missing: " : " textures are missing: ") +
-            missing.front() + (missing.size() > 1 ? ", …" : "") +
-            "; those surfaces have a plain colour.");
-    }
     opened.project = std::move(content.project);
     opened.scene_file = std::move(content.scene_file);
     opened.state.parameters = toJson(planning::listFields(content.params));

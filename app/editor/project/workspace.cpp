@@ -7,9 +7,6 @@
 #include "engine/io/files/durable_file.h"
 #include "engine/io/files/sha256.h"
 #include "engine/plan/plan_json.h"
-#include "engine/scene/resolved_light.h"
-#include "render/light/light_cache.h"
-#include "render/light/light_rig.h"
 
 #include <algorithm>
 #include <exception>
@@ -77,6 +74,15 @@ void Workspace::applyProposal() {
     readAgain(import);
 }
 
+void Workspace::keepImport() {
+    const ImportReport& report = importReport();
+    if (!report.proposal.unit_doubt.empty()) opened_->import["unit_m"] = report.unit_m;
+    const std::optional<UpAxis> up = parseUpAxis(report.up_axis);
+    if (!report.proposal.up_doubt.empty() && up) opened_->import["up_axis"] = up->text();
+    keeps_import_ = true;
+    stack_.markUnsaved();
+}
+
 void Workspace::takeBackImport() {
     if (import_before_) readAgain(*import_before_);
 }
@@ -102,15 +108,14 @@ void Workspace::startLoading(LoadOutcome outcome, std::function<Result<ProjectCo
 
 void Workspace::close() {
     planner_.cancel();
-    lighter_.cancel();
+    lighter_.drop();
     opened_.reset();
     shown_ = {};
-    light_.reset();
-    lit_rooms_.clear();
     first_serial_ = ++serial_;
     ++document_;
     restored_from_.clear();
     import_before_.reset();
+    keeps_import_ = false;
     changed_file_.reset();
     file_watch_.beginAnew();
     stack_.reset({});
@@ -359,32 +364,15 @@ void Workspace::rewind(CommandStack::History earlier) {
 
 void Workspace::replan() {
     changed_at_ = Clock::now();
-    lighter_.cancel();  // planning takes precedence
+    lighter_.setWaiting(true);
     planner_.start({opened_->imported, stack_.state(), ++serial_});
 }
 
 void Workspace::updateLight() {
-    if (!shown_.plan || !shown_.measured || planner_.state().busy) return;
-    const bool same_rooms =
-        lit_rooms_.size() == shown_.plan->rooms.size() &&
-        std::equal(lit_rooms_.begin(), lit_rooms_.end(), shown_.plan->rooms.begin(),
-                   [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
-                       return a.min() == b.min() && a.max() == b.max();
-                   });
-    const LightParams& light = shown_.params.light;
-    const bool same = lit_geometry_ == shown_.geometry && same_rooms && lit_params_ == light;
-    if (same && (has_their_light_ || lighter_.state().busy)) return;
-    has_their_light_ = false;
-    lit_geometry_ = shown_.geometry;
-    lit_rooms_ = shown_.plan->rooms;
-    lit_params_ = light;
-    lighter_.start([scene = shown_.scene, rays = shown_.rays, rooms = lit_rooms_,
-                    light_made = resolved(light), number = ++light_number_,
-                    latest = baked_light_](const JobContext& job) {
-        render::LightVolume baked = render::lightVolumeOf(
-            *scene, *rays, render::makeLightRig(*scene, *rays, rooms, light_made), {}, job);
-        if (!job.cancelled()) latest->put({number, std::move(baked)});
-    });
+    lighter_.poll();
+    const bool planning = planner_.state().busy;
+    lighter_.setWaiting(planning);
+    if (shown_.plan && shown_.measured && !planning) lighter_.follow(shown_);
 }
 
 void Workspace::take(PlanOutcome outcome) {
@@ -407,7 +395,7 @@ void Workspace::take(PlanOutcome outcome) {
         shown_.outdated = true;
         return;
     }
-    if (shown_.geometry != outcome.geometry) light_.reset();
+    if (shown_.geometry != outcome.geometry) lighter_.drop();
     shown_ = std::move(outcome);
 }
 
@@ -424,12 +412,6 @@ void Workspace::poll() {
     if (std::optional<PlanOutcome> outcome = planner_.poll();
         outcome && isOpen() && isWanted(*outcome)) {
         take(std::move(*outcome));
-    }
-    if (std::optional<BakedLight> baked_light = baked_light_->take();
-        baked_light && baked_light->number == light_number_ && isOpen() &&
-        lit_geometry_ == shown_.geometry) {
-        light_ = std::make_shared<const render::LightVolume>(std::move(baked_light->light));
-        has_their_light_ = true;
     }
     for (SaveOutcome& outcome : saved_->takeAll()) finishSaving(std::move(outcome));
     // Not during saving, when the file is new but its hash is not recorded yet.

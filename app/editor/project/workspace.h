@@ -3,13 +3,12 @@
 #include "app/editor/files/file_watch.h"
 #include "app/editor/files/known_files.h"
 #include "app/editor/project/autosave.h"
+#include "app/editor/project/light_worker.h"
 #include "app/editor/project/live_planner.h"
 #include "app/editor/project/project_loader.h"
 #include "engine/document/command_stack.h"
 #include "engine/io/settings/project_file.h"
 #include "engine/jobs/background_worker.h"
-#include "engine/scene/light_params.h"
-#include "render/light/light_volume.h"
 
 #include <nlohmann/json.hpp>
 
@@ -45,6 +44,8 @@ class Workspace {
     /// Imports again with the import report's proposed settings; takeBackImport() reverts that.
     void applyProposal();
     void takeBackImport();
+    /// Confirms the import settings in use against the proposal: they become part of the project.
+    void keepImport();
     void cancelOpening() { loader_.cancel(); }
     void close();
     /// What save() does if another program has changed the file since it was read or written here.
@@ -88,7 +89,9 @@ class Workspace {
     [[nodiscard]] std::string title() const;
     [[nodiscard]] const std::filesystem::path& sceneFile() const { return opened_->scene_file; }
     /// The proposed import settings, if those in use seem wrong.
-    [[nodiscard]] const ImportProposal& proposal() const { return importReport().proposal; }
+    [[nodiscard]] const ImportProposal& proposal() const {
+        return keeps_import_ ? kNoProposal : importReport().proposal;
+    }
     /// The import settings before readAgain(); unset if the scene was not imported again.
     [[nodiscard]] const std::optional<nlohmann::json>& importBefore() const {
         return import_before_;
@@ -106,7 +109,10 @@ class Workspace {
         return shown_.serial == serial_ && shown_.measured && !shown_.outdated &&
                shown_.state == stack_.state();
     }
-    [[nodiscard]] std::shared_ptr<const render::LightVolume> light() const { return light_; }
+    /// The light of the displayed scene, baked in the background.
+    [[nodiscard]] const LightWorker& lighter() const { return lighter_; }
+    void stopLight() { lighter_.stop(); }
+    void startLight() { lighter_.start(); }
     [[nodiscard]] BackgroundWorker::State loading() const { return loader_.state(); }
     [[nodiscard]] BackgroundWorker::State planning() const { return planner_.state(); }
     [[nodiscard]] bool saving() const { return saves_answered_ != save_serial_; }
@@ -183,6 +189,8 @@ class Workspace {
     [[nodiscard]] bool isWanted(const PlanOutcome& outcome) const;
     void take(PlanOutcome outcome);
 
+    static inline const ImportProposal kNoProposal;
+
     std::function<void()> wake_;
     std::optional<OpenedProject> opened_;
     CommandStack stack_;
@@ -191,6 +199,7 @@ class Workspace {
     std::uint64_t saves_answered_ = 0;
     std::filesystem::path restored_from_;
     std::optional<nlohmann::json> import_before_;
+    bool keeps_import_ = false;  // see keepImport()
     bool file_has_plan_ = false;
     std::optional<std::filesystem::path> changed_file_;
     std::shared_ptr<KnownFiles> known_files_ = std::make_shared<KnownFiles>();
@@ -201,12 +210,6 @@ class Workspace {
     std::uint64_t first_serial_ = 0;  // first serial of this project
     std::chrono::steady_clock::time_point changed_at_;
     double latency_ms_ = 0.0;
-    std::shared_ptr<const render::LightVolume> light_;
-    std::uint64_t lit_geometry_ = 0;
-    std::vector<Eigen::AlignedBox3d> lit_rooms_;
-    LightParams lit_params_;
-    int light_number_ = 0;
-    bool has_their_light_ = false;  // light_ is for lit_rooms_, lit_geometry_ and lit_params_
     std::vector<Notice> notices_;
     bool newly_opened_ = false;
     std::shared_ptr<LatestValue<LoadOutcome>> loaded_ =
@@ -215,15 +218,9 @@ class Workspace {
         std::make_shared<ConcurrentQueue<SaveOrder>>();
     std::shared_ptr<ConcurrentQueue<SaveOutcome>> saved_ =
         std::make_shared<ConcurrentQueue<SaveOutcome>>();
-    struct BakedLight {
-        int number = 0;  // number of the request, see updateLight()
-        render::LightVolume light;
-    };
-    std::shared_ptr<LatestValue<BakedLight>> baked_light_ =
-        std::make_shared<LatestValue<BakedLight>>();
     BackgroundWorker loader_;
     BackgroundWorker saver_;
-    BackgroundWorker lighter_;
+    LightWorker lighter_;
     LivePlanner planner_;
 };
 

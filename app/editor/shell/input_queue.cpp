@@ -16,6 +16,16 @@ constexpr double kDoubleClick_s = 0.3;
 
 InputQueue* the_queue = nullptr;
 
+/// Whether a key only types a character into a text field, so that its presses and releases need no
+/// frames of their own. Shift counts, because the character already depends on it.
+bool onlyTypes(int key, int mods) {
+    if (!ImGui::GetIO().WantTextInput) return false;
+    if ((mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) return false;
+    return (key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2) ||
+           (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_ADD) || key == GLFW_KEY_LEFT_SHIFT ||
+           key == GLFW_KEY_RIGHT_SHIFT;
+}
+
 }  // namespace
 
 void InputQueue::attach(GLFWwindow* window) {
@@ -61,16 +71,28 @@ bool InputQueue::deliver(bool hold_keys) {
     std::set<int> changed;  // key codes, and buttons as negative numbers
     at_event_ = false;      // after a button event, the mouse must not move in this frame
     bool dragged = false;   // the final position must be shown before the button is released
+    bool scrolled = false;  // the wheel was turned in this frame
+    bool text = false;      // characters were delivered, and no other key may overtake them
     while (!events_.empty()) {
         const Event event = events_.front();
         const bool typed = event.kind == Event::Kind::Text ||
                            (event.kind == Event::Kind::Key && event.action != GLFW_RELEASE);
         if (typed && hold_keys) return true;
-        if (event.kind == Event::Kind::Move && at_event_) return true;
+        // The wheel turns where the mouse was, and a click means what has been scrolled there.
+        const bool waits_for_wheel =
+            scrolled && (event.kind == Event::Kind::Move || event.kind == Event::Kind::Button);
+        if (waits_for_wheel || (event.kind == Event::Kind::Move && at_event_)) return true;
         if (event.kind == Event::Kind::Button && event.action == GLFW_RELEASE && dragged) {
             return true;
         }
-        const bool switches = event.kind == Event::Kind::Key || event.kind == Event::Kind::Button;
+        const bool types = event.kind == Event::Kind::Text ||
+                           (event.kind == Event::Kind::Key && onlyTypes(event.code, event.mods));
+        // Text fields handle characters before keys, and lose the keyboard before both when another
+        // widget is clicked.
+        const bool follows = types ? !changed.empty() : event.kind != Event::Kind::Move && text;
+        if (follows) return true;
+        const bool switches =
+            !types && (event.kind == Event::Kind::Key || event.kind == Event::Kind::Button);
         const bool repeats = event.action == GLFW_REPEAT;
         const int which = event.kind == Event::Kind::Button ? -1 - event.code : event.code;
         // A second change of a key, or a release after other presses, needs a frame of its own:
@@ -102,9 +124,11 @@ bool InputQueue::deliver(bool hold_keys) {
                 at_event_ = true;
                 break;
             case Event::Kind::Scroll:
+                scrolled = true;
                 ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
                 break;
             case Event::Kind::Text:
+                text = true;
                 ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
                 break;
             case Event::Kind::Move:

@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, ui::kTimelineStrips> kStripNames = {
     "clearance", "speed", "turn", "score", "in_view", "captured", "image_corners", "overlap"};
 
 constexpr std::size_t kMostRecent = 10;
+constexpr std::size_t kMostSeen = 200;
 
 std::filesystem::path userFolder(const char* variable, const char* fallback) {
     const char* value = std::getenv(variable);
@@ -74,6 +75,16 @@ void EditorSettings::addRecent(const std::filesystem::path& path) {
     last_folder = path.parent_path().string();
 }
 
+bool EditorSettings::hasSeen(const std::string& note) const {
+    return std::ranges::find(seen, note) != seen.end();
+}
+
+void EditorSettings::addSeen(const std::string& note) {
+    if (hasSeen(note)) return;
+    seen.push_back(note);
+    if (seen.size() > kMostSeen) seen.erase(seen.begin());
+}
+
 EditorSettings loadSettings() {
     EditorSettings settings;
     std::error_code error;
@@ -111,6 +122,7 @@ EditorSettings loadSettings() {
         settings.recent = json.value("recent", std::vector<std::string>());
         if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
         settings.last_folder = json.value("last_folder", "");
+        settings.seen = json.value("seen", std::vector<std::string>());
     } catch (const nlohmann::json::exception&) {
         log::warn("editor", settingsFile().string() + " cannot be read; using defaults");
         return {};
@@ -133,7 +145,8 @@ Status saveSettings(const EditorSettings& settings) {
                            {"theme", settings.theme == ui::ThemeKind::Light ? "light" : "dark"},
                            {"zoom", settings.zoom},
                            {"recent", settings.recent},
-                           {"last_folder", settings.last_folder}};
+                           {"last_folder", settings.last_folder},
+                           {"seen", settings.seen}};
     writePanels(settings.layout, json["layout"]);
     nlohmann::json& layers = json["layout"]["layers"] = nlohmann::json::object();
     visitLayerSwitches(settings.layout.layers,

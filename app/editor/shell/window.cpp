@@ -251,13 +251,13 @@ bool Window::holdsKeys() {
 }
 
 void Window::animateHeldButtons() {
-    // What is dragged with the left button changes with the mouse only, which is an event. With the
-    // other buttons, keys fly the view.
+    // With the right or middle button held, keys fly the view. A held left button needs frames for
+    // repeating step buttons; drags are drawn by mouse events.
     constexpr double kHeld_s = 0.05;
     if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)) {
         animate();
     } else if (ImGui::IsAnyMouseDown()) {
-        drawWithin(kHeld_s);
+        drawAfter(kHeld_s);
     }
 }
 

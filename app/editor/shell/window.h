@@ -55,8 +55,9 @@ class Window {
 
     /// Requests further frames without events, for animations.
     void animate() { frames_to_draw_ = std::max(frames_to_draw_, 2); }
-    /// Requests one frame after this time, even without events. Holds until the next frame.
-    void drawWithin(double seconds) { draw_within_s_ = std::min(draw_within_s_, seconds); }
+    /// Requests a frame after this time, even without events. Must be requested again in each
+    /// frame.
+    void drawAfter(double seconds) { draw_within_s_ = std::min(draw_within_s_, seconds); }
 
     /// Whether input events are queued that no frame has handled yet.
     [[nodiscard]] bool hasInput() const { return !input_.empty(); }
@@ -71,8 +72,8 @@ class Window {
     [[nodiscard]] double lastFrame_ms() const { return last_frame_.total_ms; }
     [[nodiscard]] long frames() const { return frames_; }
     [[nodiscard]] int glErrors() const { return gl_errors_; }
-    /// Starts anew with the next frame: the work for whoever reads the longest one is no part of
-    /// it.
+    /// Restarts the measurement with the next frame. The current frame is not counted, because
+    /// answering whoever reads the result takes time.
     void resetLongestFrame() {
         longest_frame_ = {};
         counts_frame_ = false;

@@ -22,7 +22,7 @@ class PlayClock {
         return due;
     }
 
-    /// Frames, less than one, until the next one is due.
+    /// Frames until the next one is due: above 0, at most 1.
     [[nodiscard]] double untilNext() const { return 1.0 - gathered_; }
 
   private:

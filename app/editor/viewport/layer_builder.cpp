@@ -50,6 +50,7 @@ PlanLayer selectionLayer(const LayersRequest& request) {
     for (const int id : request.selection.objects) {
         if (id < 1 || static_cast<std::size_t>(id) > request.scene->objects.size()) continue;
         if (std::ranges::find(request.moved, id) != request.moved.end()) continue;
+        if (std::ranges::find(request.left_out, id) != request.left_out.end()) continue;
         const Object& object = request.scene->object(id);
         addBoxEdges(layer.overlay, object.box, ui::kSelectedColor, 2.5);
         const double reach = object.box.half_size.head<2>().norm() + 0.15;
@@ -190,9 +191,10 @@ bool LayersRequest::operator==(const LayersRequest& other) const {
            kept_name == other.kept_name && free_space == other.free_space &&
            camera == other.camera && settings == other.settings && stepping == other.stepping &&
            cone_half_angle_deg == other.cone_half_angle_deg && selection == other.selection &&
-           in_cone == other.in_cone && moved == other.moved && local == other.local &&
-           no_go == other.no_go && regions == other.regions && motion == other.motion &&
-           keys_planned == other.keys_planned && step == other.step && frame == other.frame;
+           in_cone == other.in_cone && moved == other.moved && left_out == other.left_out &&
+           local == other.local && no_go == other.no_go && regions == other.regions &&
+           motion == other.motion && keys_planned == other.keys_planned && step == other.step &&
+           frame == other.frame;
 }
 
 bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye) {
@@ -359,7 +361,9 @@ Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
         addPoints(layers, request);
     }
     addKeys(layers, request);
-    add(layers, 7, std::tuple(request.scene, request.free_space, request.selection, request.moved),
+    add(layers, 7,
+        std::tuple(request.scene, request.free_space, request.selection, request.moved,
+                   request.left_out),
         [&] { return selectionLayer(request); });
     return layers;
 }

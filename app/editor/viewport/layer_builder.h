@@ -33,6 +33,8 @@ struct LayersRequest {
     ui::Selection selection;
     // Ids of objects that were moved since the scene was built; their boxes are not drawn.
     std::vector<int> moved;
+    // Ids of selected objects that the viewport leaves out; their boxes are not drawn either.
+    std::vector<int> left_out;
     std::vector<int> local;  // object ids: only their points are shown; empty: all points
     std::vector<NoGoBox> no_go;
     std::vector<Region> regions;

@@ -9,11 +9,12 @@ void RenderSceneSync::forget() {
     light_.reset();
 }
 
-void RenderSceneSync::send(const PlanOutcome& shown,
-                           const std::shared_ptr<const render::LightVolume>& light) {
+void RenderSceneSync::send(const PlanOutcome& shown, const LightWorker& lighter) {
     const int anisotropy = shown.params.picture.anisotropy;
+    const std::shared_ptr<const render::LightVolume> light = lighter.light();
     if (sent_ && scene_ == shown.scene && light_ == light && anisotropy_ == anisotropy) return;
-    drawing_.setScene({shown.scene, shown.rays, light, anisotropy, shown.geometry});
+    drawing_.setScene({shown.scene, shown.rays, light, anisotropy, shown.geometry,
+                       light != nullptr && !lighter.isFinal()});
     anisotropy_ = anisotropy;
     scene_ = shown.scene;
     light_ = light;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/editor/project/light_worker.h"
 #include "app/editor/project/live_planner.h"
-#include "render/light/light_volume.h"
 #include "ui/viewport/render_thread.h"
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class RenderSceneSync {
     /// Resets for another project, or none.
     void forget();
     /// Sends scene, light and texture filtering if one of them has changed.
-    void send(const PlanOutcome& shown, const std::shared_ptr<const render::LightVolume>& light);
+    void send(const PlanOutcome& shown, const LightWorker& light);
     [[nodiscard]] bool isSent() const { return sent_; }
     /// Whether this is the first call for the project, so that the camera must be placed.
     [[nodiscard]] bool takeFirstView() { return !std::exchange(viewed_, true); }

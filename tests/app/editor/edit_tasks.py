@@ -270,8 +270,14 @@ class ByHand(Task):
         state = self.editor.idle()
         self.assertEqual(state["plan"]["objects"], 5)
         self.assertEqual(len(state["history"]), 2)
-        self.editor.key("ctrl+z")
-        self.assertEqual(self.editor.idle()["plan"]["objects"], 4)
+        self.assertIn("surfaces", state["stages_computed"])
+        # Undo and redo return to the maps that were there.
+        for key, objects in (("ctrl+z", 4), ("ctrl+shift+z", 5)):
+            self.editor.key(key)
+            state = self.editor.idle()
+            self.assertEqual(state["plan"]["objects"], objects)
+            for stage in ("rays", "surfaces", "free_space", "viewpoints", "roadmap"):
+                self.assertNotIn(stage, state["stages_computed"])
 
     def test_merge_two_objects(self):
         before = self.start_room()

@@ -28,7 +28,8 @@ KEYSYMS = {"ctrl": "Control_L", "shift": "Shift_L", "alt": "Alt_L", "enter": "Re
            "esc": "Escape", "del": "Delete", "space": "space", "home": "Home", "end": "End",
            "left": "Left", "right": "Right", "up": "Up", "down": "Down", "tab": "Tab",
            "backspace": "BackSpace", "=": "equal", "-": "minus", "numplus": "KP_Add",
-           "numminus": "KP_Subtract", "pageup": "Prior", "pagedown": "Next"}
+           "numminus": "KP_Subtract", "num.": "KP_Decimal", "num/": "KP_Divide",
+           "pageup": "Prior", "pagedown": "Next"}
 
 
 class Gone(Exception):

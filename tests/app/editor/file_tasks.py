@@ -89,6 +89,23 @@ class Files(Task):
                 self.editor.tap("enter")
             self.editor.wait(lambda state: state["project"] == str(project), "the whole name")
 
+    def test_letters_that_were_queued_need_no_frame_each(self):
+        self.start_room()
+        self.editor.key("ctrl+s")
+        self.editor.item("files.name")
+        self.editor.key("ctrl+a")
+        before = self.editor.state()["frames"]
+        text = "Abcdefghijklmnopqrstuvwxyz_A quick brown fox 01234"
+        with self.editor.stuck():
+            self.editor.letters(text)
+            for key in ("backspace", "left", "x"):  # these keep their order
+                self.editor.tap(key)
+        state = self.editor.state()
+        self.assertLess(state["frames"] - before, 25)
+        self.editor.key("enter")
+        name = text[:-2] + "x3"
+        self.editor.wait(lambda state: state["project"].endswith(f"/{name}.dolly"), "the project")
+
     def test_a_name_of_another_kind_gets_the_ending_of_projects(self):
         self.changed_room()
         self.editor.key("ctrl+s")

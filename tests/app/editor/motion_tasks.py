@@ -57,7 +57,10 @@ class Motions(Task):
         for frame in repaired:
             self.assertGreater(distance_from_the_sofa(frame[1:4]), 0.1)
         self.editor.key("ctrl+z")
-        self.assertEqual(self.editor.idle()["edits"]["motion"]["frames"], given)
+        state = self.editor.idle()
+        self.assertEqual(state["edits"]["motion"]["frames"], given)
+        # The path can still be read in other axes.
+        self.assertIn("edits.motion.world", state["items"])
         self.editor.click("edits.motion.clear")
         state = self.editor.idle()
         self.assertNotIn("motion", state["edits"])

@@ -110,7 +110,71 @@ class Opening(Task):
         state = self.editor.wait(lambda state: "import_doubt" in state["items"], "the unit before")
         self.assertNotIn("unit_m", state["import"])
         self.editor.click("import_doubt.1")
-        self.editor.wait(lambda state: "import_doubt" not in state["items"], "the bar to go")
+        state = self.editor.wait(lambda state: "import_doubt" not in state["items"],
+                                 "the bar to go")
+        # What is kept is part of the project, and the question does not come again.
+        self.assertAlmostEqual(state["import"]["unit_m"], 1.0)
+        self.assertTrue(state["unsaved"])
+        project = self.folder / "kept.dolly"
+        self.editor.key("ctrl+s")
+        self.editor.item("files.name")
+        self.editor.key("ctrl+a")
+        self.editor.type(project.name)
+        self.editor.key("enter")
+        self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+        # Saving begins in the scene's folder.
+        self.assertAlmostEqual(json.loads(project.read_text())["scene"]["import"]["unit_m"], 1.0)
+        said = subprocess.run([Programs.command_line, "plan", project], capture_output=True,
+                              text=True, check=True)
+        self.assertNotIn("unit is doubtful", said.stdout + said.stderr)
+        for file in (project, small):
+            self.editor.kill()
+            self.assertNotIn("import_doubt", self.start(file)["items"])
+
+    def test_missing_textures_are_told_once_and_do_not_block(self):
+        scene = self.folder / "bare.obj"
+        tiny_room.write(scene)
+        scene.write_text("mtllib bare.mtl\nusemtl bare\n" + scene.read_text())
+        scene.with_suffix(".mtl").write_text("newmtl bare\nKd 1 1 1\nmap_Kd nowhere.png\n")
+        state = self.start(scene)
+        self.assertEqual(state["notice"], "")
+        self.assertIn("textures_missing", state["items"])
+        self.editor.click("textures_missing.0")
+        self.assertIn("nowhere.png", self.notice())
+        self.dismiss("ok")
+        state = self.editor.click("textures_missing.1")
+        self.assertNotIn("textures_missing", state["items"])
+        self.editor.tap("ctrl+q")
+        self.editor.wait_end()
+        self.assertNotIn("textures_missing", self.start(scene)["items"])
+
+    def test_a_path_is_completed_with_the_keys(self):
+        folder = self.folder / "offers"
+        for name in ("alpha", "beta"):
+            (folder / name).mkdir(parents=True)
+            tiny_room.write(folder / name / "room.obj")
+        self.start()
+        self.editor.key("ctrl+o")
+        self.editor.click("files.path", times=2)
+        self.editor.key("ctrl+a")
+        self.editor.type(f"{folder}/")
+        self.editor.item("files.offer.beta/")
+        # Esc closes the list only; the text and the dialog stay.
+        state = self.editor.key("esc")
+        self.assertNotIn("files.offer.beta/", state["items"])
+        self.assertTrue(state["dialogs"]["file"])
+        for key in ("down", "down", "up", "down"):
+            state = self.editor.key(key)
+        self.assertIn("files.offer.beta/", state["items"])
+        self.editor.key("enter")
+        self.editor.item("files.row.room.obj")
+        self.editor.type("r")
+        self.editor.item("files.offer.room.obj")
+        self.editor.key("down")
+        self.editor.key("tab")
+        self.editor.key("enter")
+        self.editor.wait(lambda state: state["open"], "the room to open")
+        self.assertEqual(self.editor.idle()["plan"]["objects"], 5)
 
     def test_a_turned_room_of_one_mesh_is_read_as_the_command_line_proposes(self):
         turned = self.folder / "turned.gltf"

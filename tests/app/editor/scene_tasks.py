@@ -3,6 +3,8 @@ import math
 import os
 import time
 
+import numpy
+
 from task import MUG, NONE, OBJECT, OBJECTS, SOFA, TABLE, Task
 
 SOFA_TOP = (0.5, -1.5, 0.7)
@@ -142,6 +144,30 @@ class Selecting(Task):
         self.assertEqual(len(state["history"]), 2)
         self.assertIn("36", str(state["edits"]).replace("bathtub", "36"))
 
+    def selection_pixels(self):
+        """Number of pixels of the viewport in the colour of the selection, a strong pink."""
+        self.editor.move(5, 5)
+        self.wait_picture()
+        self.editor.wait(lambda state: not state["busy"]["drawing"], "the drawing")
+        left, top, right, bottom = map(round, self.editor.item("viewport")[:4])
+        width, height, rgb = self.editor.picture()
+        image = numpy.frombuffer(rgb, numpy.uint8).reshape(height, width, 3)[top:bottom, left:right]
+        red, green, blue = image.astype(int).transpose(2, 0, 1)
+        return numpy.count_nonzero((red > 200) & (green < 120) & (blue > 140))
+
+    def test_a_hidden_object_has_no_box_and_no_handles(self):
+        self.start_room()
+        self.without_layers()
+        self.select_row(SOFA)
+        self.assertGreater(self.selection_pixels(), 200)
+        self.editor.point("viewport")
+        self.editor.key("h")
+        self.assertEqual(self.selection_pixels(), 0)
+        self.editor.point("viewport")
+        self.assertEqual(self.editor.key("g")["drag_text"], "")
+        self.editor.key("alt+h")
+        self.assertGreater(self.selection_pixels(), 200)
+
     def test_hide_an_object_and_show_all(self):
         self.start_room()
         self.without_layers()
@@ -229,13 +255,34 @@ class Looking(Task):
         self.assertTrue(state["camera"]["orthographic"])
         self.assertFalse(self.editor.key("5")["camera"]["orthographic"])
 
+    def test_the_number_pad_looks_along_the_axes(self):
+        self.start_room()
+        for key, name in (("KP_7", "Top"), ("KP_1", "Front"), ("KP_3", "Right"),
+                          ("ctrl+KP_1", "Back"), ("ctrl+KP_3", "Left"), ("ctrl+KP_7", "Bottom")):
+            self.assertEqual(self.editor.key(key)["view_name"], name + " Perspective")
+        self.assertEqual(self.editor.key("KP_5")["view_name"], "Bottom Orthographic")
+        state = self.editor.key("KP_5")
+        self.assertEqual(state["view_name"], "Bottom Perspective")
+        self.assertIn("viewport.name", state["items"])
+        left, top, right, bottom = self.editor.item("viewport")[:4]
+        middle = ((left + right) / 2, (top + bottom) / 2)
+        state = self.editor.drag(middle, (middle[0] + 30, middle[1] - 20), button="middle")
+        self.assertEqual(state["view_name"], "User Perspective")
+        self.assertTrue(self.editor.key("KP_0")["through_camera"])
+        self.assertEqual(self.editor.key("KP_0")["through_camera"], False)
+        self.select_row(MUG)
+        self.assertTrue(self.editor.key("num/")["local_view"])
+        self.assertFalse(self.editor.key("num/")["local_view"])
+
     def test_frame_the_selected_object(self):
         self.start_room()
         self.select_row(MUG)
         self.editor.point("viewport")
-        camera = self.editor.key("f")["camera"]
-        self.assertLess(math.dist(camera["pivot"], (3.145, -1.245, 0.79)), 0.02)
-        self.assertLess(camera["distance"], 1.0)
+        for key in ("f", "num."):
+            self.assertGreater(self.editor.key("home")["camera"]["distance"], 3.0)
+            camera = self.editor.key(key)["camera"]
+            self.assertLess(math.dist(camera["pivot"], (3.145, -1.245, 0.79)), 0.02)
+            self.assertLess(camera["distance"], 1.0)
 
     def test_look_through_the_camera_and_leave_it(self):
         self.start_room()
@@ -253,6 +300,34 @@ class Looking(Task):
             if layer != "no_go":  # there is none to be seen
                 self.wait_picture()
                 self.assertNotEqual(self.editor.picture(), picture, layer)
+
+    def test_a_click_right_after_the_wheel_hits_what_was_scrolled_there(self):
+        self.start_room(size=(1280, 620))
+        self.editor.click("tab.layers")
+        before = self.editor.item("layers.roadmap")
+        over = self.editor.middle("layers.trajectory")
+        self.editor.wheel(over, -1)
+        after = self.editor.item("layers.roadmap")
+        self.assertLess(after[1], before[1], "the panel has scrolled")
+        self.editor.wheel(over, 5)
+        self.assertEqual(self.editor.item("layers.roadmap"), before)
+        state = self.editor.state()
+        with self.editor.stuck():
+            self.editor.press(5)
+            self.editor.release(5)
+            self.editor.move(after[0] + 8, (after[1] + after[3]) / 2)
+            self.editor.press()
+            self.editor.release()
+        clicked = self.editor.state()
+        self.assertNotEqual(clicked["layers"]["roadmap"], state["layers"]["roadmap"])
+        # In the viewport, the wheel would have zoomed.
+        left, top, right, bottom = self.editor.item("viewport")[:4]
+        with self.editor.stuck():
+            self.editor.move(*over)
+            self.editor.press(4)
+            self.editor.release(4)
+            self.editor.move((left + right) / 2, (top + bottom) / 2)
+        self.assertEqual(self.editor.state()["camera"], state["camera"])
 
     def test_move_the_slice_of_free_space(self):
         self.start_room()

@@ -2,6 +2,7 @@
 import time
 
 from task import BOOK, MUG, PICTURE, SOFA, TABLE, Task, plan
+from support import tiny_room
 
 
 class Tuning(Task):
@@ -158,6 +159,23 @@ class Tuning(Task):
         self.start_room()
         self.editor.run_command("layers roadmap")
         self.editor.wait(lambda state: state["layers"]["roadmap"], "the roadmap")
+
+    def test_the_light_of_a_hall_is_stopped_and_computed(self):
+        hall = self.folder / "hall.obj"
+        tiny_room.write(hall)
+        # Enough cells for a coarse light first.
+        tiny_room.move_corners(hall, lambda x, y, z: (5 * x, 1.5 * y, 5 * z))
+        self.start(hall)
+        self.editor.click("status.light.stop")
+        state = self.editor.wait(lambda state: not state["busy"]["lighting"], "the light to stop")
+        self.assertFalse(state["preview"]["final_light"])
+        self.assertNotIn("status.light", state["items"])
+        # An edit that moves nothing does not begin it again.
+        self.set_parameter("fill", "0.5")
+        self.assertFalse(self.editor.state()["busy"]["lighting"])
+        self.editor.click("status.light.start")
+        state = self.editor.wait(lambda state: state["preview"]["final_light"], "the light", 300)
+        self.assertNotIn("status.light.stop", state["items"])
 
     def test_what_would_help_an_object_that_is_not_captured(self):
         self.start_room()

@@ -5,6 +5,7 @@
 #include "planning/baselines/baseline_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/pipeline/pipeline.h"
 #include "planning/timing/motion_limits.h"
 #include "tests/planning/support/slow_checker.h"
 #include "tests/support/scene_builder.h"
@@ -106,6 +107,25 @@ Trajectory shaken(Trajectory trajectory, double amplitude_m, std::uint64_t seed)
 }
 
 }  // namespace
+
+// The editor repairs over the maps of the displayed plan.
+TEST(RepairMotion, GivesTheSameOverThePipelinesMaps) {
+    const auto scene = std::make_shared<const Scene>(roomWithCupboard());
+    Pipeline pipeline(scene);
+    ASSERT_TRUE(pipeline.run({}, {}));
+    const BaselineScene over =
+        baselineSceneOver(scene, {}, {}, pipeline.rays(), pipeline.freeSpace(), pipeline.region());
+    EXPECT_EQ(over.free_space, pipeline.freeSpace());
+    const Trajectory given = line({0.5, 0.5, 1.5}, {5.5, 0.5, 1.5}, 0.5);
+    const RepairedMotion expected = repaired(mapped(roomWithCupboard()), given);
+    const RepairedMotion found = repaired(over, given);
+    EXPECT_GT(found.change.frames_moved, 0);
+    ASSERT_EQ(found.trajectory.frames.size(), expected.trajectory.frames.size());
+    for (std::size_t i = 0; i < found.trajectory.frames.size(); ++i) {
+        EXPECT_EQ(found.trajectory.frames[i].pose.position,
+                  expected.trajectory.frames[i].pose.position);
+    }
+}
 
 // The camera passes a cupboard 5 cm too near: it must keep 10 cm, and the proof's margin of 1 cm.
 TEST(RepairMotion, ShiftsByWhatIsMissing) {

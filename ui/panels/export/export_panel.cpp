@@ -209,7 +209,11 @@ void drawRig(ExportDraft& draft, ExportActions& actions) {
     const float width =
         ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(-width - ImGui::GetStyle().ItemSpacing.x);
-    ImGui::InputTextWithHint("##rig_file", "none, or a JSON file of cameras", &draft.rig);
+    const char* hint = "none, or a JSON file of cameras";
+    const float room = ImGui::GetContentRegionAvail().x - width - ImGui::GetStyle().ItemSpacing.x -
+                       2 * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::CalcTextSize(hint).x > room) hint = "none";
+    ImGui::InputTextWithHint("##rig_file", hint, &draft.rig);
     nameItem("export.rig");
     tooltip(draft.rig);
     ImGui::SameLine();
@@ -281,6 +285,7 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
         (wide ? 1.0F : 2.0F) * ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y;
     const float height = std::max(room.y - footer, ImGui::GetFrameHeight());
     if (wide) {
+        actions.missing_height = -height;
         // An empty queue needs no column, and in a wide panel the formats have one of their own.
         const bool apart = room.x >= scaled(queue ? 1500 : 1000);
         const std::array<float, 4> shares = queue ? (apart ? std::array{0.25F, 0.31F, 0.24F, 0.2F}
@@ -291,6 +296,9 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
         const auto column = [&](const char* id, float share, const auto& draw) {
             ImGui::BeginChild(id, {std::floor(share * all), height});
             draw();
+            // The cursor moves with the content, whatever part of it is visible.
+            actions.missing_height =
+                std::max(actions.missing_height, ImGui::GetCursorPosY() - height);
             ImGui::EndChild();
         };
         column("place", shares[0], [&] { drawPlace(view, draft, actions); });

@@ -100,6 +100,7 @@ struct ExportActions {
     int later = 0;
     int open_folder = 0;
     int show_sheet = 0;
+    float missing_height = 0.0F;  // of the panel, so that nothing scrolls, px; below 0: excess
 };
 
 /// Draws the export settings and the queue.

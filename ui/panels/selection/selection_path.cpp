@@ -96,7 +96,11 @@ void drawFrame(const SelectionView& view, SelectionActions& actions) {
                          std::asin(std::clamp(forward.z(), -1.0, 1.0)) * kDegrees),
              "Heading (0\u00b0: along x, 90\u00b0: along y) and pitch");
     formText("Room", fmt::format("{}", frame.component + 1));
-    formText("Clearance", clearanceText(view, frame.pose.position),
+    const std::vector<double>& clearance_m = view.plan->series.clearance_m;
+    const auto at = static_cast<std::size_t>(index);
+    formText("Clearance",
+             view.measured && at < clearance_m.size() ? fmt::format("{:.2f} m", clearance_m[at])
+                                                      : clearanceText(view, frame.pose.position),
              "From the camera's centre to the nearest surface");
     formLine("Key frame");
     if (frame.position_point < 0) {

@@ -30,6 +30,10 @@ RemedyActions drawRemedy(const RemedySearch& search) {
                 actions.apply =
                     button("Apply", "selection.apply_remedy",
                            {.tip = "Apply the remedy as one undo step", .primary = true});
+            } else if (search.row.remedy->move_object != 0) {
+                actions.select_object =
+                    button("Select it to move it", "selection.select_remedy",
+                           {.tip = "Where to is your choice: move it with G", .primary = true});
             }
             break;
         case State::Nothing:

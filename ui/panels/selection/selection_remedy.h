@@ -18,6 +18,7 @@ struct RemedyActions {
     bool find = false;
     bool cancel = false;
     bool apply = false;
+    bool select_object = false;  // the object that must be moved
 };
 
 /// Draws, below the reason why an object is not (well) captured, a button that starts the search,

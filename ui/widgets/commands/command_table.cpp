@@ -18,6 +18,8 @@ std::string keyName(int key) {
         return "Num " + std::to_string(key - GLFW_KEY_KP_0);
     }
     switch (key) {
+        case GLFW_KEY_KP_DECIMAL:
+            return "Num .";
         case GLFW_KEY_EQUAL:
             return "+";
         case GLFW_KEY_PAGE_UP:
@@ -92,7 +94,8 @@ bool isPressed(const Shortcut& keys, const CommandTable::KeySigns& signs) {
     const bool edits_text = keys.ctrl && (keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y ||
                                           keys.key == GLFW_KEY_HOME || keys.key == GLFW_KEY_END ||
                                           keys.key == GLFW_KEY_LEFT || keys.key == GLFW_KEY_RIGHT);
-    return !(io.WantTextInput && (edits_text || (!keys.ctrl && keys.key < GLFW_KEY_F1)));
+    const bool types = keys.key < GLFW_KEY_F1 || keys.key >= GLFW_KEY_KP_0;
+    return !(io.WantTextInput && (edits_text || (!keys.ctrl && types)));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "ui/widgets/keyboard_wait.h"
 #include "ui/widgets/text_match.h"
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -51,7 +52,7 @@ fs::path typedPath(const std::string& text, const fs::path& folder) {
 }
 
 void PathLine::show(const fs::path& path) {
-    if (typing_) return;
+    if (typing_ || takes_over_) return;
     text_ = path.string();
 }
 
@@ -62,8 +63,27 @@ void PathLine::typeOn(const std::string& begun) {
     awaitKeyboard();
 }
 
+void PathLine::moveChoice(int rows) {
+    suggestions_hidden_ = false;
+    if (offers_.empty() || offered_for_ != text_) return;  // the list opens with the next frame
+    // One position more than there are offers: the typed text itself.
+    const int positions = static_cast<int>(offers_.size()) + 1;
+    chosen_ = (chosen_ + 1 + rows + positions) % positions - 1;
+}
+
+std::string PathLine::takeChosen() {
+    const int chosen = std::exchange(chosen_, -1);
+    return isListOpen() && chosen >= 0 && chosen < static_cast<int>(offers_.size())
+               ? offers_[static_cast<std::size_t>(chosen)]
+               : std::string();
+}
+
 void PathLine::complete(std::string& text) const {
     if (offers_.empty()) return;
+    if (chosen_ >= 0) {
+        text = offers_[static_cast<std::size_t>(chosen_)];
+        return;
+    }
     const std::string common = commonStart(offers_);
     text = common.size() > text.size() ? common : offers_.front();
 }
@@ -76,17 +96,20 @@ void PathLine::updateOffers(const FolderOrder& order) {
     const auto [folder, part] = splitTyped(text_);
     if (folder.empty()) {
         offers_.clear();
+        chosen_ = -1;
         return;
     }
     if (folder != asked_folder_) {
         asked_folder_ = folder;
         listing_ = nullptr;
         offers_.clear();
+        chosen_ = -1;
         reader_.look(typedPath(folder, "/"));
     }
     if (!listing_ || offered_for_ == text_) return;
     offered_for_ = text_;
     offers_.clear();
+    chosen_ = -1;
     FolderOrder shown = order;
     shown.hidden = shown.hidden || part.starts_with('.');
     FolderListing matching;
@@ -101,7 +124,7 @@ void PathLine::updateOffers(const FolderOrder& order) {
 }
 
 bool PathLine::drawOffers(float left, float top, float width) {
-    bool taken = false;
+    std::string taken;
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const float height = row * static_cast<float>(offers_.size()) + scaled(12);
     ImGui::SetNextWindowPos({left, top});
@@ -113,22 +136,57 @@ bool PathLine::drawOffers(float left, float top, float width) {
                  ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
-    for (const std::string& offer : offers_) {
+    for (std::size_t i = 0; i < offers_.size(); ++i) {
+        const std::string& offer = offers_[i];
         const std::string name =
             splitTyped(offer.substr(0, offer.size() - 1)).second + offer.back();
-        ImGui::Selectable(name.c_str());
+        ImGui::Selectable(name.c_str(), static_cast<int>(i) == chosen_);
         nameItem("files.offer." + name);
         // IsItemHovered() would be false here, because the active text field captures the mouse.
         if (ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()) &&
             ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-            text_ = offer;
-            taken = true;
+            taken = offer;
         }
     }
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
-    return taken;
+    if (!taken.empty()) take(taken);
+    return !taken.empty();
+}
+
+bool PathLine::drawField(float width) {
+    const auto on_event = [](ImGuiInputTextCallbackData* data) {
+        auto* line = static_cast<PathLine*>(data->UserData);
+        if (data->EventFlag == ImGuiInputTextFlags_CallbackHistory) {
+            line->moveChoice(data->EventKey == ImGuiKey_UpArrow ? -1 : 1);
+            return 0;
+        }
+        if (data->EventFlag == ImGuiInputTextFlags_CallbackAlways) {
+            if (!std::exchange(line->to_end_, false)) return 0;
+            data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+            return 0;
+        }
+        std::string text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+        line->complete(text);
+        data->DeleteChars(0, data->BufTextLen);
+        data->InsertChars(0, text.c_str());
+        return 0;
+    };
+    const bool closes_list = typing_ && isListOpen() && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false);
+    const std::string typed = text_;
+    ImGui::SetNextItemWidth(width);
+    const bool entered = ImGui::InputText(
+        "##path", &text_,
+        ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackAlways |
+            ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_EnterReturnsTrue,
+        on_event, this);
+    if (closes_list) {
+        // The field has undone what was typed and lost the keyboard, but this Esc is for the list.
+        text_ = typed;
+        continueTyping();
+    }
+    return entered;
 }
 
 bool PathLine::draw(const FolderOrder& order, float width) {
@@ -148,48 +206,40 @@ bool PathLine::draw(const FolderOrder& order, float width) {
     }
     const std::string before = text_;
     const bool was_typing = typing_;
-    ImGui::SetNextItemWidth(width);
-    const auto on_tab = [](ImGuiInputTextCallbackData* data) {
-        if (data->EventFlag == ImGuiInputTextFlags_CallbackAlways) {
-            auto* line = static_cast<PathLine*>(data->UserData);
-            if (!std::exchange(line->to_end_, false)) return 0;
-            data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
-            return 0;
-        }
-        std::string text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
-        static_cast<const PathLine*>(data->UserData)->complete(text);
-        data->DeleteChars(0, data->BufTextLen);
-        data->InsertChars(0, text.c_str());
-        return 0;
-    };
-    const bool entered = ImGui::InputText("##path", &text_,
-                                          ImGuiInputTextFlags_CallbackCompletion |
-                                              ImGuiInputTextFlags_CallbackAlways |
-                                              ImGuiInputTextFlags_EnterReturnsTrue,
-                                          on_tab, this);
+    const bool entered = drawField(width);
     nameItem("files.path");
     typing_ = ImGui::IsItemActive();
     if (text_ != before) suggestions_hidden_ = false;
     if (ImGui::IsItemActivated()) {
-        suggestions_hidden_ = !takes_over_;  // suggestions appear with the first letter
-        takes_over_ = false;
+        // Suggestions appear with the first letter.
+        suggestions_hidden_ = !takes_over_ || stays_closed_;
+        takes_over_ = stays_closed_ = false;
     }
     if (entered) {
         typing_ = false;
+        const std::string chosen = takeChosen();
+        if (!chosen.empty()) take(chosen);
         return true;
     }
     // Clicking a suggestion takes the keyboard from the field, but must still be handled below.
-    if (!(typing_ || was_typing) || suggestions_hidden_) return false;
+    if (!(typing_ || was_typing) || suggestions_hidden_ || stays_closed_) return false;
     updateOffers(order);
     if (offers_.empty()) return false;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
-    if (drawOffers(low.x, high.y + scaled(2), high.x - low.x)) {
-        typing_ = false;
-        ImGui::SetKeyboardFocusHere(-1);
-        return true;
-    }
-    return false;
+    return drawOffers(low.x, high.y + scaled(2), high.x - low.x);
+}
+
+void PathLine::take(const std::string& offer) {
+    text_ = offer;
+    typing_ = false;
+    if (offer.ends_with('/')) continueTyping();  // with what lies in the folder
+}
+
+void PathLine::continueTyping() {
+    wants_focus_ = takes_over_ = stays_closed_ = true;
+    chosen_ = -1;
+    awaitKeyboard();
 }
 
 }  // namespace dollytrack::ui

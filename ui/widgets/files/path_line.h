@@ -9,7 +9,8 @@
 
 namespace dollytrack::ui {
 
-/// A text field for a path with suggestions: Tab completes, a click chooses.
+/// A text field for a path with suggestions: Tab completes; Up, Down and Enter or a click choose;
+/// Esc closes the list.
 class PathLine {
   public:
     explicit PathLine(std::function<void()> wake = {}) : reader_(std::move(wake)) {}
@@ -29,6 +30,15 @@ class PathLine {
     void updateOffers(const FolderOrder& order);
     bool drawOffers(float left, float top, float width);
     void complete(std::string& text) const;
+    [[nodiscard]] bool isListOpen() const { return !suggestions_hidden_ && !offers_.empty(); }
+    /// The suggestion chosen with the keys, which is taken; empty: none.
+    std::string takeChosen();
+    void moveChoice(int rows);
+    /// Draws the text field; returns whether Enter was pressed.
+    bool drawField(float width);
+    void take(const std::string& offer);
+    /// Gives the keyboard back to the field, with the cursor at the end and the list closed.
+    void continueTyping();
 
     std::string text_;
     bool typing_ = false;
@@ -36,10 +46,12 @@ class PathLine {
     bool takes_over_ = false;  // typed letters are kept for this field until it has the keyboard
     bool to_end_ = false;      // move the cursor to the end
     bool suggestions_hidden_ = false;  // until the text changes
+    bool stays_closed_ = false;        // the list, when the field gets the keyboard again
     FolderReader reader_;
     std::string asked_folder_;  // folder of the pending request
     std::shared_ptr<const FolderListing> listing_;
     std::vector<std::string> offers_;  // complete paths; folders end with a slash
+    int chosen_ = -1;                  // index of the offer chosen with the keys; -1: none
     std::string offered_for_;
 };
 

@@ -9,13 +9,14 @@ namespace dollytrack::ui {
 
 /// A drawn line of text that is not shown in full.
 struct CutLine {
-    std::string text;                                // the letters that are drawn, the last one cut
+    std::string text;  // the letters that are drawn, in whole or in part
     float left = 0, top = 0, right = 0, bottom = 0;  // window pixels
 };
 
-/// The lines of text of a rendered frame that an edge cuts on the left or right, and those that
-/// were shortened with "…" directly after a letter. Lines that scroll up or down out of a list are
-/// no part of it.
+/// The lines of text of a rendered frame of which an edge on the left or right cuts a letter, and
+/// those that were shortened with "…" directly after a letter. A cut between two letters is not
+/// found, because ImGui does not draw the letters outside. Text hidden above or below an edge does
+/// not count.
 std::vector<CutLine> findCutLines(const ImDrawData& drawn);
 
 /// Requests cutLines() of the next frame. Like the item map, it works on the current context.

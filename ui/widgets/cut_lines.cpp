@@ -1,7 +1,6 @@
-#include "ui/widgets/cut_letters.h"
+#include "ui/widgets/cut_lines.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -12,7 +11,7 @@ namespace {
 constexpr unsigned kDots = 0x2026;
 // A letter counts as cut if more than this of its width is missing, px.
 constexpr float kMissing = 0.75F;
-// A larger gap between two letters, in heights of the box of a line, separates lines.
+// A larger gap between two letters, in font sizes, separates lines.
 constexpr float kLineGap = 1.2F;
 // A gap from which on there is a space between two letters, in the same unit.
 constexpr float kWordGap = 0.16F;
