@@ -169,6 +169,34 @@ TEST(AwkwardScene, FarFromTheOriginItIsSaidWhatThatCosts) {
         << farthest.error().message;
 }
 
+TEST(AwkwardScene, ObjectsThatFellOutOfTheWorldAreLeftOut) {
+    const Scene room = importedText(furnished().text());
+    ObjWriter obj = furnished();
+    obj.object("trolley").box({1, 1, -5e6}, {1.5, 2, -5e6 + 8});
+    obj.object("bottle").box({2, 2, -901}, {2.2, 2.2, -900});
+    const Scene scene = importedText(obj.text());
+    EXPECT_EQ(scene.objects.size(), room.objects.size());
+    EXPECT_TRUE(scene.room_bounds.isApprox(room.room_bounds, 1e-6));
+    EXPECT_EQ(scene.report.unit_m, room.report.unit_m);
+    ASSERT_EQ(scene.report.warnings.size(), 1U);
+    EXPECT_TRUE(says(scene.report.warnings,
+                     "2 objects lie far away from all others and are left out: bottle (89"))
+        << scene.report.warnings.front();
+    EXPECT_TRUE(says(scene.report.warnings, "trolley (5000 km)")) << scene.report.warnings.front();
+
+    // A neighbour's garage is near, a sky is large, and half of a scene is no exception.
+    ObjWriter wide = furnished();
+    wide.object("garage").box({300, 0, 0}, {305, 5, 3});
+    wide.object("sky").box({-2000, -2000, -2000}, {2000, 2000, 2000});
+    EXPECT_FALSE(says(importedText(wide.text()).report.warnings, "far away from all others"));
+    ObjWriter twice = furnished();
+    for (int i = 0; i < 8; ++i) {
+        twice.object("crate_" + std::to_string(i))
+            .box({3e3, 2.0 * i, 0}, {3e3 + 1, 2.0 * i + 1, 1});
+    }
+    EXPECT_FALSE(says(importedText(twice.text()).report.warnings, "far away from all others"));
+}
+
 /// Some exporters omit leading zeros: ".5" for "0.5".
 TEST(AwkwardScene, NumbersWithoutALeadingZero) {
     const std::string text =

@@ -247,9 +247,9 @@ void Workspace::write(SaveOrder& order, KnownFiles& known) {
     if (done.was_there || done.changed_elsewhere) return;
     try {
         if (order.plan) order.file.result = resultJson(*order.scene, *order.plan);
-        const std::string text = projectText(order.file, done.path);
-        done.status = writeWhole(done.path, text);
-        if (done.status) known.remember(done.path, sha256Of(text));
+        const Result<std::string> text = projectText(order.file, done.path);
+        done.status = text ? writeWhole(done.path, *text) : tl::unexpected(text.error());
+        if (done.status) known.remember(done.path, sha256Of(*text));
     } catch (const std::exception& failure) {
         done.status = fail(ErrorCode::Failed,
                            std::string("The project cannot be written: ") + failure.what() +

@@ -98,6 +98,11 @@ Result<Eigen::Affine3d> poseOf(Scope& scope, Frame& frame, int depth) {
                        scope, frame.node);
     }
     frame.state = Frame::State::Busy;
+    if (frame.copy) {
+        frame.scope_from_frame = Eigen::Translation3d(frame.copy->position);
+        frame.state = Frame::State::Known;
+        return frame.scope_from_frame;
+    }
     // An <include> without a pose uses that of the model.
     const bool keeps = frame.is("include") && frame.model && !frame.node.child("pose");
     const pugi::xml_node node = keeps ? frame.model->node : frame.node;

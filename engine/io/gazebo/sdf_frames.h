@@ -30,6 +30,12 @@ struct Frame {
     pugi::xml_node node;              // <link>, <frame>, <joint>, <model>, <include>
     std::unique_ptr<Scope> model;     // for models and for includes that were found
     std::optional<std::size_t> link;  // for links: index into SdfReader::links_
+    /// One of the equal models of a <population>, whose element names and places only the first.
+    struct Copy {
+        std::string name;
+        Eigen::Vector3d position;  // in the world, without rotation
+    };
+    std::optional<Copy> copy;
     enum class State { New, Busy, Known } state = State::New;
     Eigen::Affine3d scope_from_frame = Eigen::Affine3d::Identity();
 };

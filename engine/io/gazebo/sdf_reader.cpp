@@ -4,6 +4,8 @@
 #include "engine/io/gazebo/link_xml.h"
 #include "engine/io/gazebo/sdf_frames.h"
 #include "engine/io/gazebo/sdf_material.h"
+#include "engine/io/gazebo/sdf_population.h"
+#include "engine/io/gazebo/sdf_shape.h"
 #include "engine/io/gazebo/standard_models.h"
 #include "engine/io/gazebo/visuals.h"
 
@@ -11,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -103,10 +104,38 @@ class SdfReader {
 
     /// The name by which others refer to a frame; empty for an include that was not found.
     static std::string nameInScope(const Frame& frame) {
+        if (frame.copy) return frame.copy->name;
         if (!frame.is("include")) return frame.node.attribute("name").value();
         std::string name = textOf(frame.node.child("name"));
         if (name.empty() && frame.model) name = frame.model->node.attribute("name").value();
         return name;
+    }
+
+    Status addFrame(Scope& scope, const pugi::xml_node& element) {
+        if (++frames_ > kMostFrames) {
+            return wrongAt(
+                "the world has more than 1,000,000 links, joints, frames and models; "
+                "leave some out",
+                scope, element);
+        }
+        scope.frames.emplace_back(element);
+        return {};
+    }
+
+    /// Adds the models of a <population>, or a warning if they have no fixed positions.
+    Status addPopulation(Scope& world, const pugi::xml_node& element) {
+        const tl::expected<Population, std::string> read = readPopulation(element, kMostIncludes);
+        if (!read) {
+            left_out_.doubts.push_back(fmt::format(
+                "{}: the population '{}' is left out, since {}",
+                world.xml->placeOf(world.path.filename(), element), nameOf(element), read.error()));
+            return {};
+        }
+        for (const Frame::Copy& copy : read->copies) {
+            if (Status added = addFrame(world, read->model); !added) return added;
+            world.frames.back().copy = copy;
+        }
+        return {};
     }
 
     /// Finds the frames of a world or model and opens its models. `first_only`: only the first
@@ -118,17 +147,15 @@ class SdfReader {
         }
         for (const pugi::xml_node& child : scope.node.children()) {
             const std::string_view kind = child.name();
+            if (kind == "population" && scope.parent == nullptr && !first_only) {
+                if (Status added = addPopulation(scope, child); !added) return added;
+                continue;
+            }
             if (first_only ? kind != "model"
                            : std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
                 continue;
             }
-            if (++frames_ > kMostFrames) {
-                return wrongAt(
-                    "the world has more than 1,000,000 links, joints, frames and models; "
-                    "leave some out",
-                    scope, child);
-            }
-            scope.frames.emplace_back(child);
+            if (Status added = addFrame(scope, child); !added) return added;
             if (first_only) break;
         }
         const auto isModel = [](const Frame& frame) {
@@ -147,6 +174,7 @@ class SdfReader {
             if (!frame.model) continue;
             const std::string given = cleanText(textOf(frame.node.child("name")));
             if (frame.is("include") && !given.empty()) frame.model->name = given;
+            if (frame.copy) frame.model->name = cleanText(frame.copy->name);
             const bool inherits = wraps || frame.model->name.empty();
             if (inherits && !scope.name.empty()) frame.model->name = scope.name;
             if (Status inner = openChildren(*frame.model); !inner) return inner;
@@ -369,30 +397,6 @@ class SdfReader {
         return {};
     }
 
-    static double lengthIn(const pugi::xml_node& shape, const char* name) {
-        const auto numbers = numbersOf(shape.child_value(name));
-        return numbers && numbers->size() == 1 ? numbers->front() : 0.0;
-    }
-
-    static Status readMesh(const pugi::xml_node& mesh, const Scope& scope, const std::string& link,
-                           Visual& visual) {
-        const pugi::xml_node scale = mesh.child("scale");
-        const auto factors = scale ? vectorOf(scale.child_value())
-                                   : std::optional<Eigen::Vector3d>(Eigen::Vector3d::Ones());
-        if (!factors || !(std::abs(factors->prod()) > 0.0)) {
-            return wrongAt("the <scale> of a mesh of '" + link +
-                               "' is not three numbers other than 0; correct it",
-                           scope, mesh);
-        }
-        visual.scale = *factors;
-        visual.uri = textOf(mesh.child("uri"));
-        const pugi::xml_node submesh = mesh.child("submesh");
-        visual.submesh = cleanText(textOf(submesh.child("name")));
-        const std::string center = textOf(submesh.child("center"));
-        visual.center_submesh = center == "true" || center == "1";
-        return {};
-    }
-
     Status addVisual(const pugi::xml_node& node, Scope& scope,
                      const Eigen::Affine3d& scene_from_scope, const Eigen::Affine3d& link,
                      LinkObject& object) {
@@ -415,40 +419,11 @@ class SdfReader {
             left_out_.scripts.push_back(cleanText(script));
         }
         const pugi::xml_node geometry = node.child("geometry");
-        if (const pugi::xml_node mesh = geometry.child("mesh")) {
-            if (Status read = readMesh(mesh, scope, object.name, visual); !read) return read;
-        } else if (const pugi::xml_node box = geometry.child("box")) {
-            visual.shape = Visual::Shape::Box;
-            visual.size = vectorOf(box.child_value("size")).value_or(Eigen::Vector3d::Zero());
-        } else if (const pugi::xml_node cylinder = geometry.child("cylinder")) {
-            visual.shape = Visual::Shape::Cylinder;
-            const double width = 2.0 * lengthIn(cylinder, "radius");
-            visual.size = {width, width, lengthIn(cylinder, "length")};
-        } else if (const pugi::xml_node sphere = geometry.child("sphere")) {
-            visual.shape = Visual::Shape::Sphere;
-            visual.size.setConstant(2.0 * lengthIn(sphere, "radius"));
-        } else if (const pugi::xml_node ellipsoid = geometry.child("ellipsoid")) {
-            visual.shape = Visual::Shape::Sphere;
-            visual.size =
-                2.0 * vectorOf(ellipsoid.child_value("radii")).value_or(Eigen::Vector3d::Zero());
-        } else if (const pugi::xml_node plane = geometry.child("plane")) {
-            visual.shape = Visual::Shape::Plane;
-            const auto size = numbersOf(plane.child_value("size"));
-            if (size && size->size() == 2) visual.size = {(*size)[0], (*size)[1], 1.0};
-            const auto normal = vectorOf(plane.child_value("normal"));
-            if (normal && normal->norm() > 1e-9) {
-                visual.scene_from_visual =
-                    visual.scene_from_visual * Eigen::Quaterniond::FromTwoVectors(
-                                                   Eigen::Vector3d::UnitZ(), normal->normalized());
-            }
-        } else {
+        const Result<bool> drawn = readShape(geometry, object.name, scope, visual);
+        if (!drawn) return tl::unexpected(drawn.error());
+        if (!*drawn) {
             noteUnknownShape(geometry, left_out_.shapes);
             return {};
-        }
-        if (visual.shape != Visual::Shape::Mesh && !(visual.size.minCoeff() > 0.0)) {
-            return wrongAt(
-                "the size of a visual of '" + object.name + "' is not above 0; correct it", scope,
-                node);
         }
         object.visuals.push_back(std::move(visual));
         return {};

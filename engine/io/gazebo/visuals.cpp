@@ -82,7 +82,7 @@ class SceneOfLinks {
                 if (at->second) {
                     wanted[&visual] = *at->second;
                 } else {
-                    leaveOut(visual, link.name);
+                    leaveOut(visual);
                 }
             }
         }
@@ -95,23 +95,27 @@ class SceneOfLinks {
         for (const LinkObject& link : links) {
             if (job_.cancelled()) return cancelled();
             SourceObject object;
+            std::size_t missing = 0;
             object.name = names.next(link.name.empty() ? "link" : link.name);
             for (const Visual& visual : link.visuals) {
                 const auto model = wanted.find(&visual);
-                if (visual.shape == Visual::Shape::Mesh && model == wanted.end()) continue;
+                if (visual.shape == Visual::Shape::Mesh && model == wanted.end()) {
+                    ++missing;
+                    continue;
+                }
                 Status placed = visual.shape == Visual::Shape::Mesh
                                     ? placeMesh(visual, model->second, object)
                                     : placeShape(visual, object);
                 if (!placed) return tl::unexpected(placed.error());
             }
+            noteMissing(link, missing, object);
             if (!object.parts.empty()) scene_.objects.push_back(std::move(object));
         }
         return finish();
     }
 
   private:
-    void leaveOut(const Visual& visual, const std::string& link) {
-        incomplete_.push_back(link.empty() ? "link" : link);
+    void leaveOut(const Visual& visual) {
         switch (files_.absenceOf(visual.folder, visual.uri)) {
             case ModelPath::Absence::NoFolder:
                 left_out_.models.push_back(visual.uri);
@@ -122,6 +126,17 @@ class SceneOfLinks {
             case ModelPath::Absence::OtherCase:
                 other_case_.push_back(visual.uri);
                 break;
+        }
+    }
+
+    void noteMissing(const LinkObject& link, std::size_t missing, const SourceObject& object) {
+        if (missing == 0) return;
+        const std::string name = link.name.empty() ? "link" : link.name;
+        if (object.parts.empty()) {
+            meshless_.push_back(name);
+        } else {
+            incomplete_.push_back(name + " (" + std::to_string(missing) + " of " +
+                                  std::to_string(link.visuals.size()) + ")");
         }
     }
 
@@ -308,7 +323,9 @@ class SceneOfLinks {
             "file",
             "meshes are left out, since their files' names differ in upper and lower case; rename "
             "the files");
-        say(incomplete_, "object lacks a mesh", "objects lack a mesh");
+        say(meshless_, "object lacks all of its meshes and is left out",
+            "objects lack all of their meshes and are left out");
+        say(incomplete_, "object lacks some of its meshes", "objects lack some of their meshes");
         say(left_out_.scripts,
             "material script is not read, so its textures are missing; use a mesh file that "
             "contains the material",
@@ -354,7 +371,8 @@ class SceneOfLinks {
     OmittedParts left_out_;                            // models include meshes that were not found
     std::vector<std::string> absent_;                  // meshes that a model's folder lacks
     std::vector<std::string> other_case_;  // meshes found only by ignoring upper and lower case
-    std::vector<std::string> incomplete_;  // objects with such meshes
+    std::vector<std::string> meshless_;    // objects with only such meshes
+    std::vector<std::string> incomplete_;  // objects with such and other meshes
     std::vector<std::string> unreadable_;
     std::vector<std::string> unmatched_;
 };

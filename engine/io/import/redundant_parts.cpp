@@ -50,13 +50,6 @@ float overlap(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b) {
     return common / std::max(1e-30F, volume(a) + volume(b) - common);
 }
 
-void empty(MeshPart& part) {
-    MeshPart nothing;
-    nothing.name = part.name;
-    nothing.node = part.node;
-    part = std::move(nothing);
-}
-
 bool sameShape(const MeshPart& a, const MeshPart& b) {
     const auto same = [](const auto& one, const auto& other) {
         return one.size() == other.size() &&
@@ -67,6 +60,13 @@ bool sameShape(const MeshPart& a, const MeshPart& b) {
 }
 
 }  // namespace
+
+void emptyPart(MeshPart& part) {
+    MeshPart nothing;
+    nothing.name = part.name;
+    nothing.node = part.node;
+    part = std::move(nothing);
+}
 
 std::vector<std::string> dropProxies(RawScene& raw) {
     // All nodes below "Colliders" are collision meshes, whatever their names.
@@ -102,7 +102,7 @@ std::vector<std::string> dropProxies(RawScene& raw) {
         if (verdicts[i] != Proxy::Yes || raw.parts[i].triangles.empty()) continue;
         const std::string& node = raw.nodes[raw.parts[i].node].name;
         names.push_back(node.empty() ? raw.parts[i].name : node);
-        empty(raw.parts[i]);
+        emptyPart(raw.parts[i]);
     }
     return names;
 }
@@ -124,7 +124,7 @@ std::size_t dropDuplicates(RawScene& raw) {
             continue;
         }
         ++dropped;
-        empty(part);
+        emptyPart(part);
     }
     return dropped;
 }

@@ -8,6 +8,9 @@
 
 namespace dollytrack {
 
+/// Removes a part's mesh, and keeps its name and node.
+void emptyPart(MeshPart& part);
+
 /// Empties collision meshes: parts named UCX_, UBX_, USP_ or UCP_ (Unreal's convention),
 /// ..._collision, ..._collider or ..._colonly, or below a node "Colliders"; also ..._col, ..._hull
 /// and ..._physics if they coincide with another part. Returns their names. Does nothing if no

@@ -6,6 +6,7 @@
 #include "engine/io/format_table/input_check.h"
 #include "engine/io/format_table/scene_format.h"
 #include "engine/io/import/annotated_objects.h"
+#include "engine/io/import/far_objects.h"
 #include "engine/io/import/import_notes.h"
 #include "engine/io/import/oddity_notes.h"
 #include "engine/io/import/propose_import.h"
@@ -205,6 +206,38 @@ FrameChoice frameOf(const RawScene& raw, const SceneFormat& format,
     return frame;
 }
 
+/// Chooses unit and upward axis by the objects that lie near each other; the others are left out.
+FrameChoice chooseFrameAndDropFar(RawScene& raw, const SceneFormat& format,
+                                  std::vector<ObjectDraft>& annotated,
+                                  std::vector<ObjectDraft>& drafts, const ImportOptions& options,
+                                  ImportReport& report) {
+    const auto choose = [&] {
+        std::vector<ObjectDraft> all = annotated;
+        all.insert(all.end(), drafts.begin(), drafts.end());
+        return frameOf(raw, format, all, options);
+    };
+    FrameChoice frame = choose();
+    // Without the farthest objects, the unit may be another, by which more of them are far.
+    while (dropFarObjects(raw, frame.unit_m, annotated, drafts, report)) frame = choose();
+    return frame;
+}
+
+/// Whether the source says what an object is. Worlds of Gazebo and URDF files never do.
+bool saysClass(const SourceObject& object) {
+    return object.structure || object.nyu40 > 0 || !object.category.empty();
+}
+
+void reportFrame(const RawScene& raw, const FrameChoice& frame, ImportReport& report) {
+    report.notes.insert(report.notes.end(), raw.notes.begin(), raw.notes.end());
+    report.warnings.insert(report.warnings.end(), raw.warnings.begin(), raw.warnings.end());
+    report.unit_m = frame.unit_m;
+    report.unit_source = frame.unit_source;
+    report.up_axis = frame.up_axis.text();
+    report.up_source = frame.up_source;
+    report.warnings.insert(report.warnings.end(), frame.warnings.begin(), frame.warnings.end());
+    noteFarAway(raw, frame.unit_m, report);
+}
+
 }  // namespace
 
 Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions& options,
@@ -237,6 +270,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
         noteUnseen(proxies, dropDuplicates(raw), scene.report);
     }
     AnnotatedDrafts annotated = draftsOfAnnotations(*said, *labels, raw, scene.report);
+    const bool lacks_classes = std::ranges::none_of(raw.objects, saysClass);
     std::vector<ObjectDraft> drafts =
         knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels, annotated.taken);
     if (drafts.empty() && annotated.drafts.empty()) {
@@ -244,24 +278,18 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     }
     job.report(0.6);
 
-    std::vector<ObjectDraft> all = annotated.drafts;
-    all.insert(all.end(), drafts.begin(), drafts.end());
-    const FrameChoice frame = frameOf(raw, **format, all, reading);
-    scene.report.notes.insert(scene.report.notes.end(), raw.notes.begin(), raw.notes.end());
-    scene.report.warnings.insert(scene.report.warnings.end(), raw.warnings.begin(),
-                                 raw.warnings.end());
-    scene.report.unit_m = frame.unit_m;
-    scene.report.unit_source = frame.unit_source;
-    scene.report.up_axis = frame.up_axis.text();
-    scene.report.up_source = frame.up_source;
-    scene.report.warnings.insert(scene.report.warnings.end(), frame.warnings.begin(),
-                                 frame.warnings.end());
-    noteFarAway(raw, frame.unit_m, scene.report);
+    const FrameChoice frame =
+        chooseFrameAndDropFar(raw, **format, annotated.drafts, drafts, reading, scene.report);
+    reportFrame(raw, frame, scene.report);
     Eigen::Affine3d world_from_source = frame.worldFromSource();
     moveNear(raw, world_from_source, scene.report);
     scene.source_from_world = raw.file_from_parts * world_from_source.inverse();
     moveToWorld(raw.parts, world_from_source);
-    if (!knows_objects) findObjects(raw, *labels, options.regroup, drafts, scene.report);
+    if (!knows_objects) {
+        findObjects(raw, *labels, options.regroup, drafts, scene.report);
+    } else if (lacks_classes) {
+        findUnnamedStructure(raw, drafts);
+    }
     drafts.insert(drafts.begin(), std::make_move_iterator(annotated.drafts.begin()),
                   std::make_move_iterator(annotated.drafts.end()));
     job.report(0.7);

@@ -218,4 +218,23 @@ std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& d
     return structure;
 }
 
+void findUnnamedStructure(const RawScene& raw, std::vector<ObjectDraft>& drafts) {
+    constexpr std::size_t kFewestObjects = 6;
+    constexpr double kLeastWidth_m = 2.5;
+    constexpr double kLeastHeight_m = 1.8;
+    Eigen::AlignedBox3d bounds;
+    for (const ObjectDraft& draft : drafts) bounds.extend(boundsOf(raw, draft).cast<double>());
+    if (drafts.size() < kFewestObjects || bounds.sizes().z() < kLeastHeight_m ||
+        bounds.sizes().head<2>().minCoeff() < kLeastWidth_m) {
+        return;
+    }
+    std::vector<ObjectDraft> judged = drafts;
+    for (ObjectDraft& draft : judged) {
+        // Objects of such a source are targets, even if no word of their name is known.
+        if (draft.label.pattern.empty() && draft.label.nyu40 == 0) draft.label = {};
+    }
+    const std::vector<bool> structure = findStructure(raw, judged);
+    if (std::ranges::find(structure, false) != structure.end()) drafts = std::move(judged);
+}
+
 }  // namespace dollytrack

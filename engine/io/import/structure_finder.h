@@ -12,4 +12,9 @@ namespace dollytrack {
 /// drafts found by shape. Parts must be in the world's frame.
 std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& drafts);
 
+/// Finds structure by shape among the targets whose names say nothing, for the objects of a source
+/// without classes. Does nothing if the scene is smaller than a room or has few objects,
+/// because a robot's base plate is no floor, or if no target would remain.
+void findUnnamedStructure(const RawScene& raw, std::vector<ObjectDraft>& drafts);
+
 }  // namespace dollytrack

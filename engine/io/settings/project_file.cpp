@@ -39,6 +39,21 @@ void readFields(const JsonReader& from, const std::filesystem::path& folder, Pro
     project.result = from.at("result").json();
 }
 
+/// Checks that a plan can be read again once it is written, where numbers that are not finite
+/// become null.
+Status checkWrittenPlan(const nlohmann::json& result) {
+    const std::string text = result.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const Result<nlohmann::json> read = parseBoundedJson(text, "result");
+    const Status readable =
+        read ? checkStoredPlan(*read, "result") : Status(tl::unexpected(read.error()));
+    if (readable) return {};
+    return fail(ErrorCode::CannotWrite,
+                "the plan contains a value that a project cannot store, so it was not saved; check "
+                "the scene's unit and its farthest objects: " +
+                    readable.error().message,
+                readable.error().where);
+}
+
 }  // namespace
 
 Result<ProjectFile> loadProject(const std::filesystem::path& path) {
@@ -70,7 +85,10 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path) {
     return project;
 }
 
-std::string projectText(const ProjectFile& project, const std::filesystem::path& path) {
+Result<std::string> projectText(const ProjectFile& project, const std::filesystem::path& path) {
+    if (Status readable = checkWrittenPlan(project.result); !readable) {
+        return tl::unexpected(readable.error());
+    }
     nlohmann::json json = project.others.is_object() ? project.others : nlohmann::json::object();
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     const std::filesystem::path scene = std::filesystem::absolute(project.scene);
@@ -87,7 +105,9 @@ std::string projectText(const ProjectFile& project, const std::filesystem::path&
 }
 
 Status saveProject(const ProjectFile& project, const std::filesystem::path& path) {
-    return writeWhole(path, projectText(project, path));
+    const Result<std::string> text = projectText(project, path);
+    if (!text) return tl::unexpected(text.error());
+    return writeWhole(path, *text);
 }
 
 }  // namespace dollytrack

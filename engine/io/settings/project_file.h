@@ -28,11 +28,11 @@ struct ProjectFile {
 /// with file and line.
 Result<ProjectFile> loadProject(const std::filesystem::path& path);
 
-/// The text that saveProject() writes to `path`, to which the scene's path is relative.
-[[nodiscard]] std::string projectText(const ProjectFile& project,
-                                      const std::filesystem::path& path);
+/// The text that saveProject() writes to `path`, to which the scene's path is relative. Error:
+/// CannotWrite, for a plan that loadProject() would refuse.
+Result<std::string> projectText(const ProjectFile& project, const std::filesystem::path& path);
 
-/// Writes a project file atomically. Error: CannotWrite.
+/// Writes a project file atomically. Errors: CannotWrite, also those of projectText().
 Status saveProject(const ProjectFile& project, const std::filesystem::path& path);
 
 }  // namespace dollytrack

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -20,6 +21,7 @@ constexpr double kMostStructure = 0.7;     // more is noise of few samples per p
 constexpr double kMoreLikeOthers = 0.1;    // share of frames whose labels fit the colours better
 constexpr double kManyAlike = 0.25;        // share of frames above which unexplained images are
                                            // no exception
+constexpr double kClearContrast = 16.0;    // of 255, between the mean colours of two objects
 constexpr std::size_t kLikeliest = 6;      // frames whose labels are tried, besides the neighbours
 constexpr int kNeighbours = 2;
 constexpr std::size_t kMostTried = 500;  // images, those with the worst fit
@@ -124,8 +126,32 @@ std::string LabelAlignmentCheck::problemOf(std::size_t frame, bool many_unexplai
     }
     if (std::string found = explainedByOther(frame, tried, files); !found.empty()) return found;
     if (!isUnexplained(measurement)) return {};
-    return many_unexplained || ranked.better >= kMoreLikeOthers ? textOf(measurement.fit.own)
-                                                                : std::string();
+    // If many images are wrong, the colours of other frames prove nothing.
+    const bool wrong =
+        many_unexplained || (ranked.better >= kMoreLikeOthers && lacksExpectedEdges(frame, files));
+    return wrong ? textOf(measurement.fit.own) : std::string();
+}
+
+bool LabelAlignmentCheck::lacksExpectedEdges(std::size_t frame, const Files& files) const {
+    const Image8 picture = files.picture(static_cast<int>(frame));
+    const Image16 ids = files.ids(static_cast<int>(frame));
+    if (picture.values.empty() || ids.width != picture.width || ids.height != picture.height) {
+        return false;
+    }
+    const auto colours = colours_.meansElsewhere(measurements_[frame]->small);
+    const Outlines outlines = outlinesOf(ids, [&](int a, int b) {
+        if (objects_only_ && (a == 0 || b == 0)) return false;
+        const auto one = colours.find(static_cast<std::uint16_t>(a));
+        const auto other = colours.find(static_cast<std::uint16_t>(b));
+        if (one == colours.end() || other == colours.end()) return false;
+        double most = 0.0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            most = std::max(most, std::abs(one->second[c] - other->second[c]));
+        }
+        return most >= kClearContrast;
+    });
+    return outlines.count() >= kFewestPlaces / 2 &&
+           GradientMap(picture).fit(outlines).rank < kExplainsNothing;
 }
 
 std::string LabelAlignmentCheck::explainedByOther(std::size_t frame,

@@ -37,12 +37,14 @@ bool isBlank(const Image8& picture) {
 }
 
 Outlines outlinesOf(const Image16& ids, bool objects_only) {
+    return outlinesOf(ids, [&](int a, int b) { return !objects_only || (a != 0 && b != 0); });
+}
+
+Outlines outlinesOf(const Image16& ids, const std::function<bool(int id, int other)>& counts) {
     Outlines outlines;
     outlines.width = ids.width;
     outlines.height = ids.height;
-    const auto differ = [&](int a, int b) {
-        return a != b && !(objects_only && (a == 0 || b == 0));
-    };
+    const auto differ = [&](int a, int b) { return a != b && counts(a, b); };
     for (int y = 0; y < ids.height; ++y) {
         for (int x = 0; x < ids.width; ++x) {
             const int id = ids.at(x, y);

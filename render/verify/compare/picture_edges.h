@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct Outlines {
 
 /// `objects_only` leaves out borders to pixels without object (id 0).
 Outlines outlinesOf(const Image16& ids, bool objects_only);
+/// The borders between neighbouring objects for whose ids `counts` is true.
+Outlines outlinesOf(const Image16& ids, const std::function<bool(int id, int other)>& counts);
 /// The outlines of the mirrored image.
 Outlines mirrored(const Outlines& outlines, bool left_right, bool upside_down);
 

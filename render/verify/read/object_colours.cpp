@@ -6,7 +6,8 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kLeastKnown = 0.3;  // least share of cells with a known object
+constexpr double kLeastKnown = 0.3;   // least share of cells with a known object
+constexpr double kFewestCells = 0.5;  // of a known object
 
 }  // namespace
 
@@ -50,10 +51,12 @@ void ObjectColours::add(const SmallFrame& frame) {
     }
 }
 
-double ObjectColours::distance(const SmallFrame& picture, const SmallFrame& labels) const {
-    const std::map<std::uint16_t, Sum> own = sumsOf(picture);
+template <class Ids>
+std::map<std::uint16_t, ObjectColours::Sum> ObjectColours::sumsElsewhere(const SmallFrame& without,
+                                                                         const Ids& ids) const {
+    const std::map<std::uint16_t, Sum> own = sumsOf(without);
     std::map<std::uint16_t, Sum> elsewhere;
-    for (const std::uint16_t id : labels.ids) {
+    for (const std::uint16_t id : ids) {
         const auto [at, is_new] = elsewhere.try_emplace(id);
         if (!is_new) continue;
         const auto all = all_.find(id);
@@ -63,11 +66,27 @@ double ObjectColours::distance(const SmallFrame& picture, const SmallFrame& labe
         for (std::size_t c = 0; c < 3; ++c) at->second.colour[c] -= here->second.colour[c];
         at->second.count -= here->second.count;
     }
+    return elsewhere;
+}
+
+std::map<std::uint16_t, ObjectColours::Mean> ObjectColours::meansElsewhere(
+    const SmallFrame& frame) const {
+    std::map<std::uint16_t, Mean> means;
+    for (const auto& [id, sum] : sumsElsewhere(frame, frame.ids)) {
+        if (sum.count < kFewestCells) continue;
+        Mean& mean = means[id];
+        for (std::size_t c = 0; c < 3; ++c) mean[c] = sum.colour[c] / sum.count;
+    }
+    return means;
+}
+
+double ObjectColours::distance(const SmallFrame& picture, const SmallFrame& labels) const {
+    std::map<std::uint16_t, Sum> elsewhere = sumsElsewhere(picture, labels.ids);
     double sum = 0.0;
     std::size_t known = 0;
     for (std::size_t i = 0; i < SmallFrame::kCells; ++i) {
         const Sum& mean = elsewhere[labels.ids[i]];
-        if (mean.count < 0.5) continue;
+        if (mean.count < kFewestCells) continue;
         for (std::size_t c = 0; c < 3; ++c) {
             sum += std::abs(picture.colours[i][c] - mean.colour[c] / mean.count);
         }

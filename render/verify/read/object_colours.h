@@ -31,12 +31,21 @@ class ObjectColours {
     /// of these objects occur elsewhere. Both frames must have been added.
     [[nodiscard]] double distance(const SmallFrame& picture, const SmallFrame& labels) const;
 
+    using Mean = std::array<double, 3>;
+    /// The mean colours of an image's objects in all other frames, of those that occur there. The
+    /// frame must have been added.
+    [[nodiscard]] std::map<std::uint16_t, Mean> meansElsewhere(const SmallFrame& frame) const;
+
   private:
     struct Sum {
         std::array<double, 3> colour = {};
         double count = 0.0;
     };
     static std::map<std::uint16_t, Sum> sumsOf(const SmallFrame& frame);
+    /// Sums over all frames except `without`, of the objects in `ids`.
+    template <class Ids>
+    [[nodiscard]] std::map<std::uint16_t, Sum> sumsElsewhere(const SmallFrame& without,
+                                                             const Ids& ids) const;
 
     std::map<std::uint16_t, Sum> all_;
 };

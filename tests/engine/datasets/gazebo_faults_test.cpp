@@ -106,8 +106,20 @@ TEST(Gazebo, TheCauseOfAMissingMeshIsNamed) {
             imported(folder.write("room.world", world(modelAt(0, "ball", kBall) +
                                                       modelAt(5, "red sofa", meshVisual(uri)))));
         EXPECT_TRUE(says(scene.report.warnings, cause)) << uri;
-        EXPECT_TRUE(says(scene.report.warnings, "1 object lacks a mesh: red sofa")) << uri;
+        EXPECT_TRUE(says(scene.report.warnings,
+                         "1 object lacks all of its meshes and is left out: red sofa"))
+            << uri;
     }
+}
+
+TEST(Gazebo, AnObjectThatLacksSomeOfItsMeshesIsNotCalledMissing) {
+    const TempFolder folder;
+    const std::string missing = meshVisual("model://none/a.obj");
+    const Scene scene = imported(folder.write(
+        "room.world", world(modelAt(0, "station", kBall + missing) + modelAt(5, "gone", missing))));
+    EXPECT_TRUE(says(scene.report.warnings, "1 object lacks some of its meshes: station (1 of 2)"));
+    EXPECT_TRUE(
+        says(scene.report.warnings, "1 object lacks all of its meshes and is left out: gone"));
 }
 
 TEST(Gazebo, MissingModelsNameTheirIncludes) {

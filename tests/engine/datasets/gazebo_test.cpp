@@ -22,6 +22,7 @@ using Eigen::Vector3d;
 using test::expectBox;
 using test::find;
 using test::imported;
+using test::modelAt;
 using test::says;
 using test::TempFolder;
 using test::world;
@@ -325,6 +326,119 @@ TEST(Gazebo, GazebosOwnSunAndGroundPlaneNeedNoFiles) {
         EXPECT_FALSE(says(scene.report.warnings, ground));
         EXPECT_TRUE(says(scene.report.warnings, "model://moon"));
     }
+}
+
+/// A <population> of spheres named "ball" with the diameter 2.
+std::string population(const std::string& name, const std::string& others) {
+    return "<population name='" + name + "'><model name='ball'><pose>9 9 9 0 0 0</pose>" +
+           "<link name='l'>" + test::kBall + "</link></model>" + others + "</population>";
+}
+
+// The expected positions follow Gazebo Classic's Population::CreatePosesBoxGrid and its relatives.
+TEST(Gazebo, PopulationsAreGridsAndRowsOfModels) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    const auto expectBalls = [&](const std::string& others, const std::vector<Vector3d>& centres) {
+        const Scene scene = imported(folder.write("room.world", world(population("p", others))));
+        ASSERT_EQ(scene.objects.size(), centres.size()) << others;
+        EXPECT_TRUE(scene.report.warnings.empty());
+        for (std::size_t i = 0; i < centres.size(); ++i) {
+            expectBox(scene, fmt::format("ball_clone_{}", i), centres[i].array() - 1.0,
+                      centres[i].array() + 1.0);
+        }
+    };
+    const std::string grid =
+        "<distribution><type>grid</type><rows>2</rows><cols>3</cols>"
+        "<step>3 4 7</step></distribution>";
+    expectBalls("<pose>10 20 30 0 0 0</pose>" + grid,
+                {{7, 18, 30}, {10, 18, 30}, {13, 18, 30}, {7, 22, 30}, {10, 22, 30}, {13, 22, 30}});
+    // A quarter turn maps the steps along x to y, but not the way to the first model.
+    expectBalls("<pose>10 20 30 0 0 1.5707963267948966</pose>" + grid,
+                {{7, 18, 30}, {7, 21, 30}, {7, 24, 30}, {3, 18, 30}, {3, 21, 30}, {3, 24, 30}});
+    const std::string box = "<model_count>3</model_count><box><size>6 8 12</size></box>";
+    const auto row = [&](const std::string& type) {
+        return "<pose>1 2 3 0 0 0</pose>" + box + "<distribution><type>" + type +
+               "</type></distribution>";
+    };
+    expectBalls(row("linear-x"), {{-2, 2, 3}, {0, 2, 3}, {2, 2, 3}});
+    expectBalls(row("linear-y"), {{1, -2, 3}, {1, -2 + 8.0 / 3, 3}, {1, -2 + 16.0 / 3, 3}});
+    expectBalls(row("linear-z"), {{1, 2, -3}, {1, 2, 1}, {1, 2, 5}});
+
+    // A model that includes another, as worlds mostly have.
+    const Scene sofas = imported(folder.write(
+        "room.world",
+        world("<population name='p'><model name='couch'><include><uri>model://sofa</uri>"
+              "<pose>0 0 0 0 0 0</pose></include></model><pose>0 0 1 0 0 0</pose><distribution>"
+              "<type>grid</type><rows>1</rows><cols>2</cols><step>4 0 0</step></distribution>"
+              "</population>")));
+    ASSERT_EQ(sofas.objects.size(), 2U);
+    expectBox(sofas, "couch_clone_0", {-3, 0, 1.5}, {-1, 1, 3.5});
+    expectBox(sofas, "couch_clone_1", {1, 0, 1.5}, {3, 1, 3.5});
+}
+
+TEST(Gazebo, PopulationsWithoutFixedPositionsAreNamed) {
+    const TempFolder folder;
+    const auto place = [](const std::string& distribution) {
+        return "<pose>0 0 0 0 0 0</pose><model_count>5</model_count><box><size>1 1 1</size></box>"
+               "<distribution>" +
+               distribution + "</distribution>";
+    };
+    const auto grid = [](int rows) {
+        return fmt::format("<type>grid</type><rows>{}</rows><cols>7</cols><step>1 1 0</step>",
+                           rows);
+    };
+    const Scene scene = imported(folder.write(
+        "room.world",
+        world("\n" + modelAt(0, "table", test::kBall) +
+              population("cans", place("<type>random</type>")) +
+              population("cups", place("<type>uniform</type>")) +
+              population("books", place("<type>grid</type><rows>2</rows>")) +
+              population("none", place(grid(0))) + population("many", place(grid(100'000))))));
+    EXPECT_EQ(scene.objects.size(), 1U);
+    const auto& warnings = scene.report.warnings;
+    EXPECT_EQ(warnings.size(), 5U);
+    EXPECT_TRUE(says(warnings,
+                     "room.world:2: the population 'cans' is left out, since the positions of its "
+                     "models are random"));
+    EXPECT_TRUE(says(warnings, "'cups' is left out, since the positions of its models are random"));
+    EXPECT_TRUE(says(warnings, "'books' is left out, since its <model>, <pose> or <distribution>"));
+    EXPECT_TRUE(says(warnings, "'none' is left out, since its"));
+    EXPECT_TRUE(says(warnings, "'many' is left out, since it has more than 20000 models"));
+}
+
+/// A model "kitchen" of links with meaningless names: a floor, four walls and a table of boxes.
+std::string kitchen(double scale) {
+    std::string text;
+    int number = 0;
+    const auto add = [&](const Vector3d& low, const Vector3d& high) {
+        const Vector3d middle = scale * (low + high) / 2;
+        const Vector3d size = scale * (high - low);
+        text += fmt::format(
+            "<model name='part{}.obj'><link name='l{}'><pose>{} {} {} 0 0 0</pose>"
+            "<visual name='v'><geometry><box><size>{} {} {}</size></box></geometry>"
+            "</visual></link></model>",
+            number, number, middle.x(), middle.y(), middle.z(), size.x(), size.y(), size.z());
+        ++number;
+    };
+    add({0, 0, -0.05}, {6, 4, 0});
+    add({0, 0, 0}, {6, 0.1, 2.7});
+    add({0, 3.9, 0}, {6, 4, 2.7});
+    add({0, 0.1, 0}, {0.1, 3.9, 2.7});
+    add({5.9, 0.1, 0}, {6, 3.9, 2.7});
+    add({1, 1, 0.7}, {2.4, 1.8, 0.75});
+    add({3, 2, 0}, {3.6, 2.6, 0.9});
+    return text;
+}
+
+TEST(Gazebo, ObjectsWithoutTellingNamesAreJudgedByTheirShape) {
+    const TempFolder folder;
+    const Scene scene = imported(folder.write("kitchen.sdf", world(kitchen(1.0))));
+    ASSERT_EQ(scene.objects.size(), 7U);
+    EXPECT_EQ(scene.objects[0].nyu40, kNyuFloor);
+    for (int i = 1; i < 5; ++i) EXPECT_EQ(scene.objects[i].nyu40, kNyuWall) << i;
+    EXPECT_EQ(test::countTargets(scene), 2);
+    // The same shapes as a robot of half a metre: its base is no floor.
+    EXPECT_EQ(test::countTargets(imported(folder.write("robot.sdf", world(kitchen(0.1))))), 7);
 }
 
 // Symbolic links within a folder are allowed, but not those that lead out.

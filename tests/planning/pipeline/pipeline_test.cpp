@@ -1,11 +1,14 @@
 #include "planning/pipeline/pipeline.h"
 
 #include "engine/geometry/ray_caster.h"
+#include "engine/io/files/text_file.h"
+#include "engine/io/settings/project_file.h"
 #include "engine/io/settings/stored_plan.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
 #include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
+#include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -286,6 +289,23 @@ TEST(StoredPlan, ListsAndObjectsCannotStandForEachOther) {
             EXPECT_FALSE(checkStoredPlan(damaged, "result")) << path << " = " << wrong;
         }
     }
+}
+
+TEST(StoredPlan, AProjectIsNotReplacedByOneThatCannotBeRead) {
+    const test::TempFolder folder;
+    ProjectFile project;
+    project.scene = folder.write("room.obj", "");
+    project.result = resultWithEveryField();
+    const auto path = folder.path() / "room.dolly";
+    ASSERT_TRUE(saveProject(project, path));
+    const std::string before = readText(path).value();
+    project.result["observation_points"][0]["position"][2] = -7.6e8;
+    const Status saved = saveProject(project, path);
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().code, ErrorCode::CannotWrite);
+    EXPECT_EQ(saved.error().where, "result.observation_points[0].position[2]");
+    EXPECT_EQ(readText(path).value(), before);
+    EXPECT_TRUE(loadProject(path));
 }
 
 TEST(StoredPlan, RatesLieBetweenZeroAndOne) {

@@ -202,7 +202,7 @@ TEST(ExportQueue, WritesItsSnapshotOverAnotherOfThatName) {
     const int id = queue.add(program.request("room"), project);
     EXPECT_EQ(endOf(queue, id), ExportState::Done);
     EXPECT_EQ(contentOf(program.file("room") / "copy"),
-              projectText(*project, folder / "any.dolly"));
+              projectText(*project, folder / "any.dolly").value());
 }
 
 // A project without a scene cannot be written: the JSON library throws.
