@@ -30,12 +30,6 @@ constexpr std::size_t kMaxRooms = 250;
 constexpr double kHollowVolume_m3 = 0.02;
 constexpr int kRays = 512;        // for components of the size of a room
 constexpr int kHollowRays = 128;  // for smaller components
-// A component inside a solid body: share of rays that hit the back sides of one object.
-constexpr double kSolidShare = 0.9;
-// A component that shows front sides: share of rays that hit one, and their number per back side.
-constexpr double kFrontShare = 0.25;
-constexpr double kFrontToBack = 3.0;
-constexpr double kClosed = 1e-3;  // |sum of face normals| / area of a closed surface
 
 /// Whether a surface touches a cell along the axes that lies wholly in the sphere around this
 /// cell's centre. Close to walls and floors this avoids most exact distance queries.
@@ -133,118 +127,33 @@ bool hasRoomSize(const FoundRoom& room, const VoxelGrid& grid,
            gap + grid.resolution_m >= kRoomGap_m;
 }
 
-/// Calls visit(direction, hit) for rays from a component's roomiest cell in all directions.
-template <class Visit>
-void castAround(const FoundRoom& room, const RayCaster& rays, const VoxelGrid& grid, int ray_count,
-                Visit&& visit) {
-    const Eigen::Vector3d from =
-        grid.centerOf(room.roomiest[0], room.roomiest[1], room.roomiest[2]);
-    for (int i = 0; i < ray_count; ++i) {
-        // Directions of a Fibonacci sphere: uniform over all solid angles.
-        const double z = 1.0 - (2.0 * i + 1.0) / ray_count;
-        const double turn = i * 2.399963229728653;  // the golden angle
-        const double r = std::sqrt(1.0 - z * z);
-        const Eigen::Vector3d direction(r * std::cos(turn), r * std::sin(turn), z);
-        visit(direction, rays.cast(from, direction));
-    }
-}
-
-Eigen::Vector3d normalOf(const Scene& scene, std::uint32_t triangle) {
-    const Triangle& t = scene.triangles[triangle];
-    const Eigen::Vector3d a = scene.positions[t[0]].cast<double>();
-    return (scene.positions[t[1]].cast<double>() - a)
-        .cross(scene.positions[t[2]].cast<double>() - a);
-}
-
-bool isClosed(const Scene& scene, const Object& object) {
-    double area = 0.0;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
-        const Eigen::Vector3d normal = normalOf(scene, object.first_triangle + i);
-        area += normal.norm();
-        sum += normal;
-    }
-    return sum.norm() < kClosed * area;
-}
-
-/// Whether an object lies wholly within a closed one: the ray down from its top leaves `around`
-/// before it enters it.
-bool liesWithin(const Object& object, const Object& around, const Scene& scene,
-                const RayCaster& rays) {
-    constexpr int kMostHits = 64;
-    constexpr double kStep_m = 1e-3;
-    Eigen::Vector3d from = object.box.center;
-    for (const Eigen::Vector3d& corner : object.box.corners()) {
-        from.z() = std::max(from.z(), corner.z() + kStep_m);
-    }
-    for (int i = 0; i < kMostHits; ++i) {
-        const RayHit hit = rays.cast(from, -Eigen::Vector3d::UnitZ());
-        if (hit.object_id == 0) return false;
-        if (hit.object_id == around.id) return normalOf(scene, hit.triangle).z() < 0.0;
-        from.z() -= hit.distance + kStep_m;
-    }
-    return false;
-}
-
-/// What the sides are that enclose a component.
-enum class Sides {
-    Front,  // mostly front sides, as in a modelled room
-    Solid,  // almost only the back sides of one closed object without content
-    Other,
-};
-
-Sides sidesAround(const FoundRoom& room, const Scene& scene, const RayCaster& rays,
-                  const VoxelGrid& grid) {
-    std::vector<int> behind(scene.objects.size() + 1, 0);
-    int front = 0;
-    int back = 0;
-    castAround(room, rays, grid, kRays, [&](const Eigen::Vector3d& direction, const RayHit& hit) {
-        if (hit.object_id == 0) return;
-        const bool is_back = normalOf(scene, hit.triangle).dot(direction) > 0.0;
-        ++(is_back ? back : front);
-        if (is_back) ++behind[hit.object_id];
-    });
-    // Rays that hit nothing leave a garden through the sky.
-    if (front > kFrontShare * kRays && front > kFrontToBack * back) return Sides::Front;
-    const auto most = std::ranges::max_element(behind);
-    if (*most < kSolidShare * kRays) return Sides::Other;
-    const int id = static_cast<int>(most - behind.begin());
-    const Object& around = scene.object(id);
-    const auto isContent = [&](const Object& object) {
-        return object.id != id && !object.structure && liesWithin(object, around, scene, rays);
-    };
-    const bool solid = isClosed(scene, around) && std::ranges::none_of(scene.objects, isContent);
-    return solid ? Sides::Solid : Sides::Other;
-}
-
-/// Removes the components inside solid bodies, such as a block of ground, if other rooms show that
-/// the scene's surfaces face its rooms. A single shell that is inside out stays a room.
-void dropSolids(std::vector<std::size_t>& rooms, const std::vector<FoundRoom>& measured,
-                const Scene& scene, const RayCaster& rays, const VoxelGrid& grid) {
-    std::vector<Sides> sides(measured.size(), Sides::Other);
-    for (const std::size_t room : rooms) {
-        sides[room] = sidesAround(measured[room], scene, rays, grid);
-    }
-    if (std::ranges::find(sides, Sides::Front) == sides.end()) return;
-    std::erase_if(rooms, [&](std::size_t room) { return sides[room] == Sides::Solid; });
-}
-
 /// Whether a component is enclosed by one piece of furniture, judged by rays from its roomiest
 /// cell.
 bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaster& rays,
                        const VoxelGrid& grid, int ray_count) {
     if (volumeOf(room, grid) > kFurnitureVolume_m3) return false;
+    const Eigen::Vector3d from =
+        grid.centerOf(room.roomiest[0], room.roomiest[1], room.roomiest[2]);
     std::vector<int> hits(scene.objects.size() + 1, 0);
     int structure = 0;
-    castAround(room, rays, grid, ray_count, [&](const Eigen::Vector3d&, const RayHit& hit) {
-        if (hit.object_id == 0) return;
+    for (int i = 0; i < ray_count; ++i) {
+        // Directions of a Fibonacci sphere: uniform over all solid angles.
+        const double z = 1.0 - (2.0 * i + 1.0) / ray_count;
+        const double turn = i * 2.399963229728653;  // the golden angle
+        const double r = std::sqrt(1.0 - z * z);
+        const RayHit hit = rays.cast(from, {r * std::cos(turn), r * std::sin(turn), z});
+        if (hit.object_id == 0) continue;
         const Object& object = scene.object(hit.object_id);
         Eigen::AlignedBox3d box;
         for (const Eigen::Vector3d& corner : object.box.corners()) box.extend(corner);
         // An object that spans the whole scene is no piece of furniture, whatever its class.
         const bool shell = (box.sizes().array() >= 0.8 * scene.room_bounds.sizes().array()).all();
-        ++(shell || object.structure ? structure : hits[hit.object_id]);
-    });
+        if (shell || object.structure) {
+            ++structure;
+        } else {
+            ++hits[hit.object_id];
+        }
+    }
     return *std::ranges::max_element(hits) >= kOneObjectShare * ray_count ||
            structure < kStructureShare * ray_count;
 }
@@ -305,18 +214,16 @@ FoundRooms findRooms(const Scene& scene, const RayCaster& rays, const VoxelGrid&
         order, [&](std::size_t a, std::size_t b) { return measured[a].cells > measured[b].cells; });
     std::vector<std::uint8_t> number(measured.size(), kNoRoom);
     const auto keep = [&](std::size_t piece) {
+        if (result.rooms.size() >= kMaxRooms) return;
         number[piece] = static_cast<std::uint8_t>(result.rooms.size());
         result.rooms.push_back(measured[piece]);
     };
-    std::vector<std::size_t> found;
     for (const std::size_t piece : order) {
-        if (found.size() < kMaxRooms && hasRoomSize(measured[piece], grid, squared_gaps) &&
+        if (hasRoomSize(measured[piece], grid, squared_gaps) &&
             !isInsideFurniture(measured[piece], scene, rays, grid, kRays)) {
-            found.push_back(piece);
+            keep(piece);
         }
     }
-    dropSolids(found, measured, scene, rays, grid);
-    for (const std::size_t piece : found) keep(piece);
     // A very low or narrow scene has no component of room size: take the largest one.
     if (result.rooms.empty() && !order.empty() &&
         volumeOf(measured[order[0]], grid) >= kPocketVolume_m3 &&

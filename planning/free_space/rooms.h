@@ -54,8 +54,7 @@ std::vector<std::uint8_t> whereSphereFitsAfter(const std::vector<std::uint8_t>& 
                                                const SphereFitInput& input, const JobContext& job);
 
 /// Finds the rooms among the connected components of `fits`: components of sufficient volume,
-/// height and clearance that do not lie inside a piece of furniture, or inside a solid body such as
-/// a block of ground while other rooms show front sides; at most 250. If there is none,
+/// height and clearance that do not lie inside a piece of furniture; at most 250. If there is none,
 /// the largest component is a room if it has at least 0.05 m3 and is not inside furniture. May find
 /// no room.
 FoundRooms findRooms(const Scene& scene, const RayCaster& rays, const VoxelGrid& grid,

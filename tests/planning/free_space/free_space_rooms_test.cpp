@@ -70,31 +70,6 @@ SceneBuilder lShapedHouse(bool with_floor) {
 
 }  // namespace
 
-// A block of ground, modelled as a closed box, on which a house stands.
-TEST(FreeSpaceRooms, TheInsideOfABlockOfGroundIsNoRoom) {
-    const auto mapOf = [](bool with_house, bool with_cellar) {
-        SceneBuilder builder;
-        builder.object("block", kWallLook).box({4, 4, -2.3}, {12, 12, 4});
-        if (with_house) {
-            addWall(builder, {0, 0, 0}, {8, 0, 0}, 2.5);
-            addWall(builder, {8, 0, 0}, {8, 8, 0}, 2.5);
-            addWall(builder, {8, 8, 0}, {0, 8, 0}, 2.5);
-            addWall(builder, {0, 8, 0}, {0, 0, 0}, 2.5);
-            builder.object("floor", kFloorLook).quad({0, 0, 0}, {8, 0, 0}, {0, 8, 0});
-            builder.object("sofa", kSofaLook).box({2, 2, 0.4}, {2, 1, 0.8});
-        }
-        if (with_cellar) builder.object("crate", kSofaLook).box({6, 6, -3.8}, {1, 1, 1});
-        return map(builder.build());
-    };
-    const FreeSpace house = mapOf(true, false);
-    ASSERT_EQ(house.rooms().size(), 1U);
-    EXPECT_EQ(house.stateAt({4, 4, 1.2}), CellState::Free);
-    EXPECT_NE(house.stateAt({4, 4, -2.3}), CellState::Free);
-    // A box with something in it is a room whose walls are inside out, and so is one alone.
-    EXPECT_EQ(mapOf(true, true).stateAt({4, 4, -2.3}), CellState::Free);
-    EXPECT_EQ(mapOf(false, false).stateAt({4, 4, -2.3}), CellState::Free);
-}
-
 TEST(FreeSpaceRooms, ARoomWithoutCeilingEndsAtTheSceneBox) {
     SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 3, 2.5}, false)
