@@ -56,10 +56,6 @@ namespace dollytrack::editor {
 /// The editor's main class: draws the panels into the window and turns user actions into changes of
 /// the workspace. Long work runs in the background.
 class Editor {
-    /// Begins the note of a scene whose import settings the user has confirmed, see
-    /// EditorSettings::seen.
-    static constexpr const char* kImportKept = "import kept: ";
-
   public:
     Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBuffer& log,
            EditorSettings settings);
@@ -82,7 +78,8 @@ class Editor {
     void drawBottomRow(ImVec2 low, ImVec2 size);
     [[nodiscard]] bool exportsAtBottom() const;
     void refreshScene();
-    /// Decides which notes are shown for the file that was just opened.
+    /// Decides whether the bars on doubtful import settings and on missing textures are shown for
+    /// the file that was just opened.
     void noteOpening();
     void autosave();
     void rememberSettings();
@@ -234,13 +231,15 @@ class Editor {
     void addMotionCommands();
     [[nodiscard]] ui::MotionView motionView();
     void follow(const ui::MotionActions& actions);
-    /// The file that the current camera path was read from; null: none.
+    /// The file that the current camera path was read from; null if it is not from a file.
     [[nodiscard]] const MotionFile* motionFile() const;
     void readMotion(const MotionFile& file);
     void takeMotion();
-    /// Makes the move that the form describes; asks first where it would replace keys.
+    /// Makes the move that the form describes. Asks first if the camera path has keys or is from a
+    /// file.
     void makeMove();
-    /// A move's error with the labels of the widgets concerned.
+    /// The message for an error of a camera move, with the labels of the form's widgets instead of
+    /// the setting's names.
     [[nodiscard]] static std::string moveFault(const Error& error);
 
     // editor_keys.cpp: key frames of the camera path
@@ -261,17 +260,19 @@ class Editor {
     void moveSelectedKey(const Pose& pose);
     /// Drops the selection of a key when keys were added or removed: its index means another one.
     void dropOutdatedKeySelection();
-    /// Notes the key at this time as the one recorded last; a bar warns if the camera cannot be
-    /// there.
+    /// Remembers the key at this time as the latest one recorded, for drawKeyBar().
     void noteRecordedKey(double time_s);
+    /// Warns if the camera cannot be at the key recorded last.
     void drawKeyBar();
-    struct KeyStates {  // of the keys of a motion, in a map
+    /// The states of a motion's keys, and what they were computed from.
+    struct KeyStates {
         SharedMotion motion;
         std::shared_ptr<const planning::FreeSpace> free_space;
         std::shared_ptr<const planning::AllowedRegion> region;
         std::vector<ui::KeyState> keys;
     };
-    /// Whether the camera can be at the keys, known at once, before they are planned.
+    /// Whether the camera can be at each key, computed directly from the map, so that it is known
+    /// before the motion through the keys is planned.
     const KeyStates& keyStates();
     /// Moves a key to the nearest place where the camera can be.
     void freeKey(std::size_t key);
@@ -332,8 +333,11 @@ class Editor {
     ui::LogBuffer& log_;
     EditorSettings settings_;
     SettingsSaver settings_saver_;
+    /// First part of an entry in EditorSettings::seen, followed by the path of a scene whose import
+    /// settings the user has confirmed.
+    static constexpr const char* kImportKept = "import kept: ";
     bool import_bar_dismissed_ = false;
-    bool textures_note_ = false;  // textures are missing, which was not shown for this file before
+    bool textures_note_ = false;        // the bar about missing textures is shown
     std::filesystem::path noted_file_;  // the latest entry added to the recent files
     Workspace workspace_;
     Autosave autosave_;
@@ -407,13 +411,13 @@ class Editor {
     std::string motion_change_;             // what that changed
     std::optional<double> recorded_key_s_;  // time of a key that the playhead shall move to
     SharedMotion made_motion_;              // result of the last camera move
-    std::string move_note_;                 // what obstacles changed of it
+    std::string move_note_;                 // how obstacles changed that move
     std::size_t key_count_ = 0;             // in the previous window frame
     struct RecordedKey {
         SharedMotion motion;
         std::size_t key = 0;
     };
-    std::optional<RecordedKey> recorded_key_;  // latest key recorded, while nothing else changed
+    std::optional<RecordedKey> recorded_key_;  // latest key recorded; empty after other changes
     KeyStates key_states_;
     PlanTimeline plan_timeline_;
     RenderSceneSync scene_sync_;
@@ -422,8 +426,9 @@ class Editor {
     // State of the panels.
     PanelStates panels_;
     ui::ViewportActions pane_;
-    float export_height_ = 0.0F;   // of the bottom panels if the export form scrolls nowhere, px
-    float export_missing_ = 0.0F;  // what they lack of that; below 0: have in excess
+    // Height of the bottom panels at which no part of the export form needs to scroll, px.
+    float export_height_ = 0.0F;
+    float export_missing_ = 0.0F;  // see ui::ExportActions::missing_height
     bool preview_hovered_ = false;
     bool popup_was_open_ = false;  // in the previous window frame
     std::vector<ui::PaletteItem> palette_parameters_;

@@ -37,7 +37,7 @@ void Editor::askForFile(const std::string& id) {
         request.filters = {{"Projects", {".dolly"}}};
         request.name = workspace_.path().empty() ? workspace_.sceneFile().stem().string() + ".dolly"
                                                  : workspace_.path().filename().string();
-        // The built-in scene's folder cannot be written.
+        // The folder of the built-in scene is read-only.
         const std::filesystem::path& beside =
             workspace_.path().empty() ? workspace_.sceneFile() : workspace_.path();
         if (beside != example_) request.start = beside.parent_path();

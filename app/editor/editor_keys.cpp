@@ -73,7 +73,7 @@ void Editor::addCameraKeyCommands() {
 void Editor::goToCollision(int direction) {
     const std::vector<int>& begins = plan_timeline_.collisions();
     if (begins.empty()) return;
-    // After the last one the first follows.
+    // Wraps around: the first collision follows the last one.
     if (direction > 0) {
         const auto next = std::ranges::upper_bound(begins, playback_.frame());
         goToFrame(next == begins.end() ? begins.front() : *next);
@@ -117,7 +117,7 @@ void Editor::recordKey() {
     const Pose view = viewportView(panels_.viewport.camera).pose;
     const std::vector<MotionKey>& keys = cameraKeys();
     int after = selectedKey() != nullptr ? selected_.now().index : -1;
-    if (after < 0 && recorded_key_s_) {  // the playhead does not stand at the latest key yet
+    if (after < 0 && recorded_key_s_) {  // the playhead has not reached the latest key yet
         const auto latest = std::ranges::find(keys, *recorded_key_s_, &MotionKey::time_s);
         if (latest != keys.end()) after = static_cast<int>(latest - keys.begin());
     }
@@ -227,7 +227,7 @@ void Editor::drawKeyBar() {
     const std::size_t key = recorded_key_->key;
     const auto& states = keyStates().keys;
     if (key >= states.size() || states[key].why_blocked.empty()) return;
-    std::vector<ui::NoteBarButton> buttons = {{"Keep", "Hide this line; the key stays marked"},
+    std::vector<ui::NoteBarButton> buttons = {{"Keep", "Hide this bar; the key stays marked"},
                                               {"Remove", "Remove the key again"}};
     if (const auto& free_place = states[key].free_place) {
         const double away_m = (*free_place - cameraKeys()[key].pose.position).norm();
@@ -252,7 +252,7 @@ std::vector<ui::TimelineCameraKey> Editor::timelineCameraKeys() {
         shown[i].reached_s = passed[i].time_s;
         shown[i].note = passed[i].note;
     }
-    // A blocked key is marked at once.
+    // A blocked key is marked before it is planned.
     const std::vector<ui::KeyState>& states = keyStates().keys;
     for (std::size_t i = 0; i < std::min(states.size(), shown.size()); ++i) {
         if (!shown[i].note.empty() || states[i].why_blocked.empty()) continue;

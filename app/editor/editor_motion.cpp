@@ -183,7 +183,7 @@ void Editor::makeMove() {
 }
 
 std::string Editor::moveFault(const Error& error) {
-    // The settings' names are those of the command line; the window has labels.
+    // Errors name the settings as the command line does, separated by commas.
     std::string labels;
     std::string rest = error.where;
     while (!rest.empty()) {

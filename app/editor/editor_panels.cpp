@@ -362,7 +362,9 @@ void Editor::drawLightStatus() {
     }
     ImGui::TextDisabled("   computing light %.0f %%", 100.0 * light.state().fraction);
     ui::nameItem("status.light");
-    ui::tooltip("Light as in exports; meanwhile a coarser one is shown. It waits while planning.");
+    ui::tooltip(
+        "Light as in exports. Until it is ready, the scene has coarser or uniform light. Computing "
+        "pauses while planning.");
     ImGui::SameLine();
     if (ui::link("Stop", "status.light.stop")) workspace_.stopLight();
 }

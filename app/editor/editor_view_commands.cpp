@@ -92,12 +92,13 @@ void Editor::addViewCommands() {
                    "Compute the light",
                    {},
                    [this] {
-                       const bool busy = workspace_.lighting();
-                       busy ? workspace_.stopLight() : workspace_.startLight();
+                       if (workspace_.lighting()) return workspace_.stopLight();
+                       workspace_.startLight();
                    },
                    [this]() -> std::string {
-                       const bool can = workspace_.lighting() || workspace_.lighter().stopped();
-                       return can ? "" : "The light is computed already.";
+                       if (workspace_.lighting() || workspace_.lighter().stopped()) return "";
+                       return workspace_.lighter().isFinal() ? "The light is computed already."
+                                                             : "There is no plan to light yet.";
                    },
                    [this] { return workspace_.lighting(); }});
     commands_.add({"view.preview",

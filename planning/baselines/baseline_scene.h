@@ -19,9 +19,9 @@ namespace dollytrack::planning {
 Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                        const PlanParams& params, const JobContext& job);
 
-/// The same from maps that exist, such as those of a pipeline's last run, and without
-/// `texture_corners`, which only metrics need. The maps must have been made from this scene, these
-/// edits and these parameters.
+/// Like mapBaselineScene(), but takes existing maps, such as those of a pipeline's last run. They
+/// must have been made from this scene, these edits and these parameters. `texture_corners` stays
+/// null, because only metrics need it.
 BaselineScene baselineSceneOver(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const PlanParams& params, std::shared_ptr<const RayCaster> rays,
                                 std::shared_ptr<const FreeSpace> free_space,

@@ -28,12 +28,12 @@ using Positions = std::vector<Vector3d>;
 constexpr double kFill = 0.5;         // share of the image's width or height that an object takes
 constexpr double kDollyStart = 0.25;  // the same where a dolly starts
 constexpr double kWalkHeight = 1.5;   // above the floor, m
-constexpr double kRoomMiddle = 1.2;   // height of the point that a move in a room looks at, m
-constexpr double kRoomShare = 0.35;   // radius of an orbit in a room, of the room's width
-constexpr double kFull = 0.85;        // share of the image that an orbited object takes at most
-constexpr double kSameRadius = 0.95;  // a share of a radius that is not called smaller
-constexpr double kSameHeight = 0.02;  // a difference in height that is not mentioned, m
-constexpr double kWholeArc = 0.97;    // a share of an arc that is not called shorter
+constexpr double kRoomMiddle = 1.2;   // height above the floor of a room's point to look at, m
+constexpr double kRoomShare = 0.35;   // radius of an orbit in a room, as a share of its width
+constexpr double kFull = 0.85;        // largest share of the image that an orbited object takes
+constexpr double kSameRadius = 0.95;  // a smaller share of the wanted radius is reported
+constexpr double kSameHeight = 0.02;  // a larger difference in height is reported, m
+constexpr double kWholeArc = 0.97;    // a smaller share of the wanted arc is reported
 constexpr double kLookAhead = 0.6;    // of a walk: the camera looks at a point this far along it, m
 constexpr double kPositionsFound = 0.2;  // progress when the positions of a move are known
 constexpr double kRadians = std::numbers::pi / 180.0;
@@ -134,15 +134,15 @@ void lookAhead(Trajectory& trajectory) {
     }
 }
 
-/// What an orbit needs: how far and how high.
+/// A radius and a height to try for an orbit.
 struct OrbitShape {
     double radius_m = 0.0;
-    double z = 0.0;
-    double cost = 0.0;  // 0..1, for differing from what was asked for
+    double z = 0.0;     // of the camera, in the world, m
+    double cost = 0.0;  // 0..1: how much it differs from the shape that was asked for
 };
 
-/// The shapes to try, the nearest to the given one first. No radius is below `least_m`, at which
-/// the object fills the image, unless the given one is.
+/// The shapes to try, most similar to the given one first. Reduced radii are at least `least_m`,
+/// the distance at which the object fills the image.
 std::vector<OrbitShape> orbitShapes(double radius_m, double z, double least_m) {
     constexpr std::array kRadii = {1.0, 0.8, 0.6, 0.4, 0.25};
     constexpr std::array kHeights_m = {0.0, 0.3, 0.6, -0.3, 1.0, -0.6};
@@ -211,7 +211,7 @@ class MoveMaker {
     }
 
   private:
-    /// What the move is about: an object, a point, or the middle of the largest room.
+    /// The subject of the move: an object, a point, or the middle of the largest room.
     [[nodiscard]] Result<ObjectMoves> subject() {
         const auto target = targetOf(*scene_.scene, request_);
         if (!target) return tl::unexpected(target.error());
@@ -270,7 +270,7 @@ class MoveMaker {
     [[nodiscard]] Positions craneBeside(const ObjectMoves& moves, double radius) const {
         const double low = heightOr("from_height", floor_ + 0.5);
         const double high = heightOr("to_height", floor_ + 2.0);
-        for (const double share : {1.0, 0.8, 0.6, 0.4}) {  // of the way, from its end backwards
+        for (const double share : {1.0, 0.8, 0.6, 0.4}) {  // of the height; the upper end stays
             for (const double factor : kDistanceFactors) {
                 const double from = high + share * (low - high);
                 const Positions ends = moves.straight(factor * radius, from, factor * radius, high);
@@ -280,8 +280,8 @@ class MoveMaker {
         return {};
     }
 
-    /// The longest orbit of the shapes near the one asked for; a long one of a smaller radius or
-    /// another height is better than a short one.
+    /// The best orbit among shapes near the one asked for. A long arc with a smaller radius or
+    /// another height is better than a short arc.
     [[nodiscard]] Positions orbitAround(const ObjectMoves& moves, double radius, double z) {
         const double arc_deg = values_.number("arc", request_.kind == "arc" ? 90.0 : 360.0);
         const std::vector<OrbitShape> shapes = orbitShapes(radius, z, moves.distanceFor(kFull));
@@ -317,12 +317,13 @@ class MoveMaker {
         }
         if (!changes.empty()) {
             changes.pop_back();
-            note_ = "Obstacles and limits leave the camera" + changes + ".";
+            note_ = "Because of obstacles and limits, the orbit has" + changes + ".";
         }
         return std::move(best.positions);
     }
 
-    /// The ends of the only room, or the rooms in the order of their doorways.
+    /// The points of a walk at height z: through the doorways of all rooms, or from one end of the
+    /// only room to the other. Empty if cancelled.
     [[nodiscard]] Positions walkedRooms(double z) const {
         Positions corners;
         const RoomPlan plan(*scene_.scene, *scene_.rays, *scene_.free_space,
@@ -355,9 +356,10 @@ class MoveMaker {
             if (job_.cancelled()) return cancelled();
         }
         if (corners.size() < 2 || (corners.back() - corners.front()).norm() < kMoveSpacing) {
-            return fail(ErrorCode::BadInput,
-                        "The rooms are too small to walk in; give the points of its start and end.",
-                        "from, to");
+            return fail(
+                ErrorCode::BadInput,
+                "The rooms are too small for a walk; give the points where it begins and ends.",
+                "from, to");
         }
         auto way = repairAndTime(scene_, timing_, trajectoryThrough(divided(corners), 0.0),
                                  job_.stage(0.2, 0.6, request_.kind));
@@ -388,7 +390,7 @@ class MoveMaker {
     double floor_ = 0.0;
     MoveValues values_;
     std::string subject_name_;  // for messages
-    std::string note_;          // what obstacles changed
+    std::string note_;          // how obstacles changed the move
 };
 
 }  // namespace

@@ -7,9 +7,10 @@
 
 namespace dollytrack::planning {
 
+/// A camera move that was made.
 struct CameraMove {
     Trajectory trajectory;
-    std::string note;  // where obstacles changed what was asked for, as a sentence; empty: nowhere
+    std::string note;  // a sentence on how obstacles changed the move; empty: not at all
 };
 
 /// Makes the move, free of collisions and within the motion limits: the ideal move where it is

@@ -8,9 +8,9 @@ struct Plan;
 
 namespace dollytrack::planning {
 
-/// The first frame of each stretch of a given motion that collides, in the order of the frames. A
-/// stretch is a row of colliding moves from one frame to the next, or a path that stays at one
-/// place in collision. Empty for trajectories that were planned.
+/// The first frame of each collision of a given motion, in the order of the frames. A collision is
+/// a run of consecutive colliding moves between frames, or a path that stays at one position in
+/// collision. Empty for trajectories that were planned.
 [[nodiscard]] std::vector<int> collidingFrames(const Plan& plan);
 
 }  // namespace dollytrack::planning

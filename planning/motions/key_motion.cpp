@@ -313,8 +313,9 @@ Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams
     of_path.limits = motionLimits(timing);
     of_path.frame_interval_s = of_path.smooth_over_s = 1.0 / timing.frame_rate;
     const double interval_s = of_path.frame_interval_s;
-    // A way around obstacles takes longer than the given motion through them. The camera hurries
-    // where it has the time, to be at the keys in time nevertheless.
+    // A detour around an obstacle takes longer than the given motion through it. Each round gives
+    // keys that a detour makes late an earlier time, so that the camera goes faster where the
+    // limits allow, and reaches them at their own times.
     constexpr int kMostRounds = 4;
     std::vector<MotionKey> hurried = keys;
     KeyMotion best;
@@ -363,7 +364,8 @@ Result<std::vector<MotionKey>> withReachableTimes(const BaselineScene& scene,
                                                   const TimingParams& timing,
                                                   std::vector<MotionKey> keys,
                                                   const JobContext& job) {
-    // Later times change the motion, and with it the way around obstacles. Mostly two rounds do.
+    // Later times change the motion, and with it the way around obstacles. Two rounds usually
+    // suffice.
     constexpr int kMostRounds = 10;
     const double interval_s = 1.0 / timing.frame_rate;
     for (int round = 0; round < kMostRounds; ++round) {
@@ -379,7 +381,8 @@ Result<std::vector<MotionKey>> withReachableTimes(const BaselineScene& scene,
         if (!late) break;
         std::vector<MotionKey> reached = withReachedTimes(keys, made->passed, interval_s);
         for (std::size_t i = 0; i < keys.size(); ++i) {
-            // Keys in time keep their times, without rounding to frames.
+            // Keys that are reached in time keep their exact times, which are not rounded to
+            // frames.
             const bool in_time = !isLate(made->passed[i].time_s - keys[i].time_s, interval_s);
             const bool rises = i == 0 || keys[i].time_s > reached[i - 1].time_s;
             if (in_time && rises) reached[i].time_s = keys[i].time_s;
@@ -407,7 +410,7 @@ Result<std::vector<MotionKey>> withKeysAlong(std::vector<MotionKey> keys,
     double next_s = 0.0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const double time_s = frames[i].time_s - frames.front().time_s;
-        // The last key would be too near to the one before it.
+        // Omits a key that would be too near to the last one.
         const bool near_end = frames.back().time_s - frames[i].time_s < 0.5 * kStep_s;
         const bool last = i + 1 == frames.size();
         if (!last && (time_s < next_s - 1e-9 || near_end)) continue;

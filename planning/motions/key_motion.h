@@ -45,16 +45,16 @@ Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams
 std::vector<MotionKey> withReachedTimes(std::vector<MotionKey> keys,
                                         std::span<const PassedKey> passed, double interval_s);
 
-/// The keys at times that the camera keeps: those given, or later ones. The motion is planned anew
-/// until no key is late, because later times change the motion between the keys. Errors: those of
-/// moveThroughKeys().
+/// The keys with times at which the camera reaches them: the given ones, or later ones. Plans the
+/// motion until no key is late, at most ten times, because later times change the motion between
+/// the keys. Errors: those of moveThroughKeys().
 Result<std::vector<MotionKey>> withReachableTimes(const BaselineScene& scene,
                                                   const TimingParams& timing,
                                                   std::vector<MotionKey> keys,
                                                   const JobContext& job);
 
-/// The keys followed by further ones that lie along a trajectory, a second apart. The first of
-/// these is as much later than the last key as the motion limits need.
+/// Appends keys along a trajectory, a second apart. The first of them is as much later than the
+/// last given key as the motion limits need. Errors: those of keyTimes().
 Result<std::vector<MotionKey>> withKeysAlong(std::vector<MotionKey> keys,
                                              const Trajectory& trajectory,
                                              const TimingParams& timing, const JobContext& job);

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using Kind = MoveSetting::Kind;
 
-constexpr double kFarthest_m = 1e4;  // of a point from the origin
+constexpr double kFarthest_m = 1e4;  // largest absolute coordinate of a point
 
 const MoveSetting kTarget = {
     "target",
@@ -175,8 +175,8 @@ Result<MoveValues> readMove(const MoveRequest& request) {
             const auto value = readNumber(text);
             if (!value || *value < setting.info.min || *value > setting.info.max) {
                 return fail(ErrorCode::Usage,
-                            fmt::format("'{}' is not a number from {} to {}.", text,
-                                        setting.info.min, setting.info.max),
+                            fmt::format("'{}' is not a number from {} to {} {}.", text,
+                                        setting.info.min, setting.info.max, setting.info.unit),
                             name);
             }
             values.numbers[name] = *value;

@@ -20,8 +20,9 @@ struct MoveSetting {
     enum class Kind { Number, Point, Object };
     std::string_view name;  // "radius"
     Kind kind = Kind::Number;
-    FieldInfo info;      // Number: limits and unit; all: what it is, and what holds without it
-    double usual = 0.0;  // Number: where a widget begins
+    // The text says what it is, and what is chosen if it is not given; limits are for numbers.
+    FieldInfo info;
+    double usual = 0.0;  // Number: first value of a widget, and the example in the help
 };
 
 struct MoveKind {
@@ -34,12 +35,12 @@ struct MoveKind {
 [[nodiscard]] std::span<const MoveKind> moveKinds();
 [[nodiscard]] const MoveKind* findMoveKind(std::string_view name);
 
-/// A camera move made from a template, for example "orbit:target=sofa,radius=1.5". What is not
-/// given is chosen to fit the scene.
+/// A camera move made from a template, for example "orbit:target=sofa,radius=1.5". Settings that
+/// are not given are chosen to fit the scene.
 struct MoveRequest {
     std::string kind;
     std::map<std::string, std::string> options;
-    std::optional<int> object_id = {};  // object that the move is about, instead of `target`
+    std::optional<int> object_id = {};  // subject of the move if `options` name none
 };
 
 /// Reads a request. Errors: Usage for an unknown kind or option, with the closest name.
@@ -48,8 +49,7 @@ Result<MoveRequest> parseMove(const std::string& text);
 /// The request as parseMove() reads it, without the object's id.
 [[nodiscard]] std::string moveText(const MoveRequest& request);
 
-/// The settings of a request, read and checked. Errors: Usage for a value that cannot be read or is
-/// out of range; `where` is the setting.
+/// The numbers and points of a request, by setting.
 struct MoveValues {
     std::map<std::string, double, std::less<>> numbers;
     std::map<std::string, Eigen::Vector3d, std::less<>> points;
@@ -58,13 +58,16 @@ struct MoveValues {
     [[nodiscard]] double number(std::string_view name, double otherwise) const;
     [[nodiscard]] std::optional<Eigen::Vector3d> point(std::string_view name) const;
 };
+
+/// Reads and checks the settings of a request. Errors: Usage for a value that cannot be read or is
+/// out of range; `where` is the setting's name.
 Result<MoveValues> readMove(const MoveRequest& request);
 
-/// Reads an option's text; empty if it is no number or no point.
+/// Read the text of an option. Empty if it is not a number, or not a point "x;y;z".
 [[nodiscard]] std::optional<double> readNumber(std::string_view text);
 [[nodiscard]] std::optional<Eigen::Vector3d> readPoint(std::string_view text);
 
-/// The text of an option, rounded to a thousandth.
+/// The text of an option for a value, rounded to a thousandth.
 [[nodiscard]] std::string optionText(double value);
 [[nodiscard]] std::string optionText(const Eigen::Vector3d& point);
 

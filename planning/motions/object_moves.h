@@ -24,7 +24,7 @@ inline constexpr std::array<double, 8> kDistanceFactors = {1.0,  0.92, 1.08, 0.8
 /// Largest distance between the positions of a camera move, m.
 inline constexpr double kMoveSpacing = 0.05;
 
-/// Positions of an orbit, and the share of the asked arc that they take.
+/// Positions of an orbit, and the share of the wanted arc that they cover.
 struct Orbit {
     std::vector<Eigen::Vector3d> positions;
     double share = 0.0;
@@ -35,15 +35,15 @@ struct Orbit {
 class ObjectMoves {
   public:
     ObjectMoves(const BaselineScene& scene, const Object& object);
-    /// Around a point, which objects but no part of the building may hide; `reach_m` is the usual
-    /// distance.
+    /// Moves around a point, from a usual distance of `reach_m`. Furniture may hide the point, but
+    /// walls and other parts of the building may not.
     ObjectMoves(const BaselineScene& scene, const Eigen::Vector3d& center, double reach_m);
 
     /// The point to look at.
     [[nodiscard]] Eigen::Vector3d center() const { return subject_.center; }
 
-    /// Distance at which the object takes this share of the image, from in front of it, m; of a
-    /// point, for the share 0.5, the usual distance.
+    /// Distance in front of the object at which it takes this share of the image, m. A point counts
+    /// as an object that takes half of the image at the usual distance.
     [[nodiscard]] double distanceFor(double fill) const;
 
     /// Positions on an arc around the object, whose middle is in front of it: the longest part in

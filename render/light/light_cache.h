@@ -28,7 +28,7 @@ class LightCache {
                                            const LightVolumeParams& params);
 
     [[nodiscard]] std::optional<LightVolume> find(const std::string& key) const;
-    /// Whether there is a volume, which may be damaged.
+    /// Whether a volume is stored under this key. find() may still reject it as damaged.
     [[nodiscard]] bool has(const std::string& key) const;
     /// Stores a volume. Failures are ignored.
     void keep(const std::string& key, const LightVolume& volume) const;

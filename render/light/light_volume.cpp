@@ -241,7 +241,8 @@ class Baker {
         cells_.blur(sent_aside_, width);
     }
 
-    /// Reflected lamp light for each cell, which is the same in every bounce.
+    /// Gathers the lamp light that the surfaces around each cell reflect, which is the same in
+    /// every bounce.
     void gatherLampsReflected() {
         lamps_.resize(cells_.count());
         lamps_aside_.resize(cells_.count());
@@ -249,13 +250,13 @@ class Baker {
             [this](const LightBounce& ray) -> Eigen::Vector3f {
                 if (ray.isSky()) return Eigen::Vector3f::Zero();
                 const Eigen::Vector3f normal = ray.normal();
-                Eigen::Vector3f falls =
+                Eigen::Vector3f incoming =
                     rig_.lampLight() * std::max(0.0F, normal.dot(volume_.lamps[ray.cell]));
                 if (!scene_lamp_light_.empty()) {
-                    falls += rig_.sceneLampLight() *
-                             std::max(0.0F, normal.dot(scene_lamp_light_[ray.cell]));
+                    incoming += rig_.sceneLampLight() *
+                                std::max(0.0F, normal.dot(scene_lamp_light_[ray.cell]));
                 }
-                return albedo_[ray.material].cwiseProduct(falls) / kPi;
+                return albedo_[ray.material].cwiseProduct(incoming) / kPi;
             },
             [this](std::size_t i, const Eigen::Vector3f& sum, const Eigen::Vector3f& aside) {
                 lamps_[i] = sum;
@@ -264,7 +265,8 @@ class Baker {
     }
 
     void bounce() {
-        // One cache line has all that a ray reads; the rays of a cell end in cells far apart.
+        // The rays of a cell end in cells far apart. Both values lie side by side, so that a ray
+        // needs one memory access.
         struct CellLight {
             Eigen::Vector3f ambient, slope;
         };
@@ -291,8 +293,8 @@ class Baker {
             });
     }
 
-    /// Calls take(cell, sum, aside) for each cell with the sum of radiance(ray) over its rays, and
-    /// the sum of brightness times the direction before the cell's rotation.
+    /// Calls take(cell, sum, aside) for each cell: `sum` adds up radiance(ray) over its rays, and
+    /// `aside` the brightness times the ray's direction, which is not yet rotated by turn(cell).
     template <class Radiance, class Take>
     void sumOverRays(const Radiance& radiance, const Take& take) const {
         parallelRanges(cells_.count(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -398,7 +400,7 @@ class Baker {
     std::vector<Eigen::Vector3f> sent_;         // by cell, see gatherSent()
     std::vector<Eigen::Vector3f> sent_aside_;   // by cell: the same times the incoming direction
     std::vector<Eigen::Vector3f> lamps_;        // by cell, see gatherLampsReflected()
-    std::vector<Eigen::Vector3f> lamps_aside_;  // by cell: the same times direction, unrotated
+    std::vector<Eigen::Vector3f> lamps_aside_;  // by cell: the same times direction before turn()
     std::vector<Eigen::Vector3f> albedo_;       // by material
     std::vector<Eigen::Vector3f> emission_;     // by material
 };

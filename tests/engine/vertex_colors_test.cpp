@@ -139,7 +139,7 @@ TEST(VertexColors, InvalidIndicesStayInvalid) {
     }
 }
 
-TEST(VertexColors, OfAPlyMeshAreShown) {
+TEST(VertexColors, BecomeATextureOfAPlyMesh) {
     const TempFolder folder;
     std::string text =
         "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"

@@ -73,7 +73,7 @@ TEST_F(LightCacheTest, GivesBackWhatWasBakedToTheLastBit) {
     EXPECT_FALSE(cache.find(LightCache::keyOf(scene_, rig_, {})));
 }
 
-TEST_F(LightCacheTest, TellsWhatItHas) {
+TEST_F(LightCacheTest, HasOnlyKeysThatWereKept) {
     const LightCache cache(cacheFolder(), kPlenty);
     const std::string key = LightCache::keyOf(scene_, rig_, coarse());
     EXPECT_FALSE(cache.has(key));
@@ -81,14 +81,13 @@ TEST_F(LightCacheTest, TellsWhatItHas) {
     EXPECT_TRUE(cache.has(key));
 }
 
-// A window waits in the progress reports while plans are made.
+// The editor pauses baking in the progress reports while plans are made.
 TEST_F(LightCacheTest, BakingReportsProgressAndCanBeCancelledThere) {
     LightVolumeParams params;
     params.max_cells = 40'000;  // several pieces
     std::vector<double> reports;
-    const JobContext job(nullptr, [&](double fraction, std::string_view) {
-        reports.push_back(fraction);
-    });
+    const JobContext job(nullptr,
+                         [&](double fraction, std::string_view) { reports.push_back(fraction); });
     const LightVolume whole = bakeLightVolume(scene_, rays_, rig_, params, job);
     EXPECT_FALSE(whole.ambient.empty());
     EXPECT_GE(reports.size(), 6U);

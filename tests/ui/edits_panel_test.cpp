@@ -191,7 +191,7 @@ TEST_F(EditsPanelTest, EverySettingOfAMoveHasAWidget) {
     }
 }
 
-TEST_F(EditsPanelTest, WhatIsBlockedIsNotCalledFree) {
+TEST_F(EditsPanelTest, BlockedKeysAndCollisionsAreReported) {
     apply({{"op", "add_camera_key"},
            {"time_s", 0.0},
            {"position", {1.0, 1.0, 1.5}},

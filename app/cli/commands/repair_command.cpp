@@ -192,7 +192,8 @@ Result<ImportedMotion> fitKeys(const OpenedScene& opened, const planning::Baseli
     return passKeys(std::move(fitted), opened, map, job.stage(0.8, 1.0, "key frames"));
 }
 
-/// A camera move as the motion or, with --append, as further keys.
+/// Takes a camera move as the whole motion or, with --append, as further keys of the project's
+/// motion.
 Result<ImportedMotion> takeMove(const RepairArguments& arguments, const Trajectory& move,
                                 const OpenedScene& opened, const planning::BaselineScene& map,
                                 const JobContext& job) {
@@ -202,7 +203,11 @@ Result<ImportedMotion> takeMove(const RepairArguments& arguments, const Trajecto
     }
     GivenMotion motion = opened.plan_edits.motion ? *opened.plan_edits.motion : GivenMotion{};
     if (motion.keys.empty() && !motion.frames.empty()) {
-        return fail(ErrorCode::Usage, "The project's camera motion has no key frames.", "--append");
+        return fail(
+            ErrorCode::Usage,
+            "The project's camera motion has no key frames to append to; omit --append to replace "
+            "it.",
+            "--append");
     }
     auto keys = planning::withKeysAlong(std::move(motion.keys), move, opened.params.timing, job)
                     .and_then([&](std::vector<MotionKey> longer) {

@@ -104,14 +104,14 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
                                           : ""));
 }
 
-/// Where collisions begin: "; from frames 3, 40, ..."; empty if it is not known.
+/// Where collisions begin: "; they begin at frames 3, 40, ..."; empty if that is not known.
 std::string collisionsText(const Plan& plan) {
     constexpr std::size_t kMost = 10;
     std::vector<int> begins = planning::collidingFrames(plan);
     if (begins.empty()) return {};
     const bool more = begins.size() > kMost;
     begins.resize(std::min(begins.size(), kMost));
-    return fmt::format("; from frame{} {}{}", begins.size() == 1 ? "" : "s",
+    return fmt::format("; they begin at frame{} {}{}", begins.size() == 1 ? "" : "s",
                        fmt::join(begins, ", "), more ? ", ..." : "");
 }
 

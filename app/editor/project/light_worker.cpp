@@ -16,27 +16,28 @@
 namespace dollytrack::editor {
 namespace {
 
-/// A context that waits at each progress report while `waiting` is set. It is cancelled there, too.
+/// A context that waits at each progress report while `waiting` is set. Cancelling also takes
+/// effect only at progress reports.
 JobContext waitingContext(const JobContext& job, std::shared_ptr<const std::atomic<bool>> waiting) {
     auto cancelled = std::make_shared<std::atomic<bool>>(false);
     const auto report = [job, cancelled, waiting = std::move(waiting)](double fraction,
                                                                        std::string_view) {
-        constexpr std::chrono::milliseconds kLook{20};
+        constexpr std::chrono::milliseconds kPollInterval{20};
         job.report(fraction);
-        while (*waiting && !job.cancelled()) std::this_thread::sleep_for(kLook);
+        while (*waiting && !job.cancelled()) std::this_thread::sleep_for(kPollInterval);
         if (job.cancelled()) *cancelled = true;
     };
     return {cancelled, report};
 }
 
-/// The number of cells of a light volume, before it is limited.
+/// The number of cells of a light volume without the limit LightVolumeParams::max_cells.
 double cellsOf(const Scene& scene, const render::LightVolumeParams& params) {
     return scene.room_bounds.sizes().prod() / std::pow(params.cell_m, 3.0);
 }
 
 }  // namespace
 
-bool LightWorker::Order::gives(const Order& other) const {
+bool LightWorker::Order::hasSameLightAs(const Order& other) const {
     const auto equal = [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
         return a.min() == b.min() && a.max() == b.max();
     };
@@ -46,7 +47,7 @@ bool LightWorker::Order::gives(const Order& other) const {
 
 void LightWorker::follow(const PlanOutcome& shown) {
     Order order{shown.scene, shown.rays, shown.geometry, shown.plan->rooms, shown.params.light};
-    if (order_.gives(order)) return;
+    if (order_.hasSameLightAs(order)) return;
     order_ = std::move(order);
     stopped_ = false;
     bake();
@@ -56,9 +57,9 @@ void LightWorker::bake() {
     is_final_ = false;
     worker_.start([order = order_, number = ++number_, latest = baked_,
                    waiting = waiting_](const JobContext& job) {
-        // A coarse light takes about a tenth of the time.
+        // Baking on the coarse grid takes about a tenth of the time.
         constexpr render::LightVolumeParams kCoarse = {.max_cells = 40'000};
-        constexpr double kLarge = 3.0 * kCoarse.max_cells;  // cells
+        constexpr double kLarge = 3.0 * kCoarse.max_cells;  // cells of a large scene
         const JobContext context = waitingContext(job, waiting);
         const render::LightRig rig =
             render::makeLightRig(*order.scene, *order.rays, order.rooms, resolved(order.params));

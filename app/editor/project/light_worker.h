@@ -16,13 +16,13 @@
 namespace dollytrack::editor {
 
 /// Bakes the light of the displayed scene in the background: in large scenes first on a coarse
-/// grid, then as for export. Waits while plans are being made. All functions are called from one
-/// thread and return at once.
+/// grid, then as for export. Baking pauses while plans are being made. All functions are called
+/// from one thread and return at once.
 class LightWorker {
   public:
     explicit LightWorker(std::function<void()> wake) : worker_(std::move(wake)) {}
 
-    /// Begins with the light of a measured plan, unless it is baked or being baked.
+    /// Starts to bake the light of a measured plan, unless it is baked, being baked or stopped.
     void follow(const PlanOutcome& shown);
     /// While set, baking waits after its current piece of work, because plans take precedence.
     void setWaiting(bool waiting) { *waiting_ = waiting; }
@@ -30,9 +30,10 @@ class LightWorker {
     void poll();
     /// Drops the light of a scene that is no longer shown, also if it is still being baked.
     void drop();
-    /// Stops baking; the light stays as it is until start() or until another scene is shown.
+    /// Stops baking; light() stays as it is until start(), or until follow() gets a plan with
+    /// another light.
     void stop();
-    /// Bakes the light that was stopped.
+    /// Bakes the light again after stop(), from the beginning.
     void start();
 
     /// Null: not baked yet.
@@ -50,7 +51,8 @@ class LightWorker {
         std::vector<Eigen::AlignedBox3d> rooms;
         LightParams params;
 
-        [[nodiscard]] bool gives(const Order& other) const;
+        /// Whether both orders lead to the same light. `geometry` stands for the scene.
+        [[nodiscard]] bool hasSameLightAs(const Order& other) const;
     };
     struct Baked {
         int number = 0;  // of the order
@@ -60,11 +62,11 @@ class LightWorker {
 
     void bake();
 
-    Order order_;  // without a scene: none
+    Order order_;  // the newest one; without a scene: none
     int number_ = 0;
     bool stopped_ = false;
     std::shared_ptr<const render::LightVolume> light_;
-    bool is_final_ = false;  // for order_
+    bool is_final_ = false;  // light_ is the final one for order_
     std::shared_ptr<std::atomic<bool>> waiting_ = std::make_shared<std::atomic<bool>>(false);
     std::shared_ptr<LatestValue<Baked>> baked_ = std::make_shared<LatestValue<Baked>>();
     BackgroundWorker worker_;

@@ -30,13 +30,14 @@ struct LivePlanner::WorkerState {
         std::vector<std::string> warnings;
         std::optional<planning::Pipeline> pipeline;
 
+        /// Whether it has the objects that the request defines.
         [[nodiscard]] bool isOf(const PlanRequest& request) const {
             return scene && imported == request.imported &&
                    edits.definitions == request.state->edits.scene.definitions;
         }
     };
     EditedScene now;
-    // The scene before objects were last split or merged, so that undo needs no new map.
+    // The scene from before objects were last split or merged, so that undo needs no new map.
     EditedScene before;
     std::uint64_t geometry = 0;
     std::uint64_t objects_since = 0;

@@ -12,7 +12,7 @@
 namespace dollytrack::editor {
 namespace {
 
-/// The maps of the displayed plan, which takes no time; or new ones if there is no plan.
+/// Uses the maps of the displayed plan, which takes no time. Without a plan, computes new ones.
 Result<planning::BaselineScene> mapOf(const PlanOutcome& shown, const JobContext& job) {
     if (shown.plan) {
         return planning::baselineSceneOver(shown.scene, shown.edits, shown.params, shown.rays,

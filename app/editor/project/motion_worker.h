@@ -29,7 +29,7 @@ class MotionWorker {
         GivenMotion motion;
         planning::MotionChange change = {};  // of a repair
         MotionFile file = {};                // that it was read from
-        std::string note = {};               // of a move: what obstacles changed; empty: nothing
+        std::string note = {};  // of a move: how obstacles changed it; empty: not at all
     };
 
     explicit MotionWorker(std::function<void()> wake) : worker_(std::move(wake)) {}
@@ -38,8 +38,8 @@ class MotionWorker {
     void read(const MotionFile& file, const PlanOutcome& shown);
     /// Repairs a motion in the displayed scene.
     void repair(const SharedMotion& motion, const PlanOutcome& shown);
-    /// Makes a camera move; with `after`, as further keys of that motion, else as a motion of its
-    /// own.
+    /// Makes a camera move: as further keys of the motion `after`, or as a new motion if `after` is
+    /// null.
     void make(const planning::MoveRequest& move, const SharedMotion& after,
               const PlanOutcome& shown);
     /// Gives all keys of a motion times that the camera keeps.

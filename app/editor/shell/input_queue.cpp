@@ -72,13 +72,14 @@ bool InputQueue::deliver(bool hold_keys) {
     at_event_ = false;      // after a button event, the mouse must not move in this frame
     bool dragged = false;   // the final position must be shown before the button is released
     bool scrolled = false;  // the wheel was turned in this frame
-    bool text = false;      // characters were delivered, and no other key may overtake them
+    bool text = false;      // characters were delivered, which later keys must not overtake
     while (!events_.empty()) {
         const Event event = events_.front();
         const bool typed = event.kind == Event::Kind::Text ||
                            (event.kind == Event::Kind::Key && event.action != GLFW_RELEASE);
         if (typed && hold_keys) return true;
-        // The wheel turns where the mouse was, and a click means what has been scrolled there.
+        // After a wheel event, moves and clicks wait for the next frame: the wheel scrolls the
+        // panel under the mouse, and a click must hit what lies there after scrolling.
         const bool waits_for_wheel =
             scrolled && (event.kind == Event::Kind::Move || event.kind == Event::Kind::Button);
         if (waits_for_wheel || (event.kind == Event::Kind::Move && at_event_)) return true;
@@ -89,8 +90,8 @@ bool InputQueue::deliver(bool hold_keys) {
                            (event.kind == Event::Kind::Key && onlyTypes(event.code, event.mods));
         // Text fields handle characters before keys, and lose the keyboard before both when another
         // widget is clicked.
-        const bool follows = types ? !changed.empty() : event.kind != Event::Kind::Move && text;
-        if (follows) return true;
+        const bool must_wait = types ? !changed.empty() : event.kind != Event::Kind::Move && text;
+        if (must_wait) return true;
         const bool switches =
             !types && (event.kind == Event::Kind::Key || event.kind == Event::Kind::Button);
         const bool repeats = event.action == GLFW_REPEAT;

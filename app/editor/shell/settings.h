@@ -57,12 +57,12 @@ struct EditorSettings {
     double zoom = 1.0;                // scale of all widgets, multiplied by the screen's own scale
     std::vector<std::string> recent;  // newest first
     std::string last_folder;
-    std::vector<std::string> seen;  // notes that were shown for a file, oldest first
+    std::vector<std::string> seen;  // notes that must not be shown again for a file, oldest first
     bool operator==(const EditorSettings&) const = default;
 
     void addRecent(const std::filesystem::path& path);
     [[nodiscard]] bool hasSeen(const std::string& note) const;
-    /// Remembers that a note was shown; the oldest of very many are forgotten.
+    /// Remembers that a note was shown, and forgets the oldest of more than 200 notes.
     void addSeen(const std::string& note);
     void removeRecent(const std::string& path) { std::erase(recent, path); }
 };

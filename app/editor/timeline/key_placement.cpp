@@ -41,7 +41,7 @@ double timeAfterLast(const std::vector<MotionKey>& keys, const Pose& view,
     return onFrame(last_s + std::max(later_s, kLeastStep_s), interval_s);
 }
 
-/// A time between two others, on a whole frame if there is one.
+/// The middle of two times, rounded to a whole frame if one lies between them.
 double halfway(double before_s, double after_s, double interval_s) {
     const double exact = 0.5 * (before_s + after_s);
     const double wanted = onFrame(exact, interval_s);
@@ -54,7 +54,8 @@ bool isPassed(const std::vector<MotionKey>& keys, const Plan* plan, int playhead
            static_cast<std::size_t>(playhead) < plan->trajectory.frames.size();
 }
 
-/// The time of the keys at a time of the trajectory, which passes them later where the limits ask.
+/// Converts a time of the trajectory to the time scale of the keys. They differ where the motion
+/// limits make the camera pass keys later than their times.
 double keyTimeAt(double time_s, const MotionKey& before, const PassedKey& before_passed,
                  const MotionKey& after, const PassedKey& after_passed, double interval_s) {
     const double share = (time_s - before_passed.time_s) /

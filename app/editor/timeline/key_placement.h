@@ -10,11 +10,11 @@
 
 namespace dollytrack::editor {
 
-/// The time of a new key, which never replaces another one. With a key `after` (index; -1: none) it
-/// lies between that key and the next: at the playhead's time, on a whole frame, if the playhead is
-/// between them, else halfway. Without one, the playhead's time decides in the same way, also where
-/// it is on a key. After the last key it is as much later as the motion limits need. `plan` is the
-/// plan of these keys; null: it is still being made, and the playhead does not count.
+/// The time of a new key, which never replaces another one. `after` is the index of the key that it
+/// follows; -1: the last key before or at the playhead. The new key lies between that key and the
+/// next one: at the playhead's time, on a whole frame, if the playhead is between them, otherwise
+/// halfway. After the last key it is as much later as the motion limits need. `plan` is the plan of
+/// these keys; null: it is still being made, and the playhead is ignored.
 [[nodiscard]] double timeOfNewKey(const std::vector<MotionKey>& keys, const Plan* plan,
                                   int playhead, int after, const Pose& view,
                                   const planning::TimingParams& timing);

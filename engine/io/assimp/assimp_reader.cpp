@@ -302,7 +302,7 @@ std::vector<Eigen::Vector3f> vertexColorsOf(const aiMesh& mesh) {
 
 struct ReadMesh {
     RepairCounts repairs;
-    std::optional<TextureRequest> painted;  // with the vertex colours, if these differ
+    std::optional<TextureRequest> painted;  // the vertex colours as a texture, if they differ
 };
 
 /// `colors`: the vertex colours to be shown; empty: none.

@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +21,10 @@ struct Primitive {
     std::vector<Eigen::Vector3f> normals;
     std::vector<Eigen::Vector3f> uvs;  // v upwards
     std::vector<std::uint32_t> indices;
-    std::size_t lines = 0;                // points and lines, which are left out
-    std::vector<Eigen::Vector3f> colors;  // empty, or one per position: linear; multiplies the
-                                          // material's
+    std::size_t lines = 0;  // points and lines, which are left out
+    // Vertex colours, linear, which multiply the material's base colour; empty, or one per
+    // position.
+    std::vector<Eigen::Vector3f> colors;
 };
 
 /// Reads the primitives of a mesh. `coordinates` has the texture mapping of each material; the last

@@ -40,8 +40,8 @@ RepairCounts build(const Task& task, MeshPart& part) {
     return counts;
 }
 
-/// Makes a texture of a primitive's vertex colours, or multiplies the base colour if all vertices
-/// have the same one.
+/// Makes a texture of a primitive's vertex colours. If all vertices have the same colour,
+/// multiplies the base colour by it instead.
 void useVertexColors(Primitive& primitive, RawScene& raw) {
     if (primitive.colors.empty()) return;
     Material material = raw.materials[primitive.material];

@@ -47,8 +47,8 @@ void doubtAxis(const FrameEvidence& evidence, const Scene& scene, ImportProposal
     proposal.up_doubt = upDoubt(*proposal.up_axis, scene);
 }
 
-/// A unit to propose if only the room's size is known: halls and dioramas are not unusual, so
-/// nothing is proposed for moderate differences, and a common unit for enormous ones.
+/// The unit to propose if only the room's size is known. A moderate difference proposes none,
+/// because halls and dioramas are not unusual. An enormous one proposes the nearest common unit.
 std::optional<double> unitByRoomAlone(double unit_m, double likelier) {
     constexpr double kModerate = 2.5;
     constexpr double kEnormous = 100.0;

@@ -33,7 +33,7 @@ struct PlyMesh {
     bool face_classes_are_nyu40 = false;
     bool position_classes_are_nyu40 = false;
     std::string texture;  // file name; empty: none
-    UpAxis up_axis;       // by the program that wrote the file; unknown for most
+    UpAxis up_axis;       // usual for the program that wrote the file; unknown for most programs
     /// Names of other integer properties, such as "segment of faces".
     std::vector<std::string> unread_numbers;
 };

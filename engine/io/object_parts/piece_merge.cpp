@@ -295,13 +295,13 @@ bool fillSide(const std::vector<Eigen::AlignedBox3f>& boxes, int axis,
     return static_cast<float>(count) >= kSmallestFill * kCells * kCells;
 }
 
-/// The groups of tiles among `boxes` that are flat along an axis; see mergeTiles().
+/// The groups of tiles that are flat along an axis, as indices of `boxes`; see mergeTiles().
 std::vector<std::vector<std::size_t>> findTiles(const std::vector<Eigen::AlignedBox3f>& boxes,
                                                 const std::vector<std::size_t>& candidates,
                                                 int axis, const Eigen::AlignedBox3f& scene) {
     constexpr std::size_t kFewest = 12;
     constexpr float kThickest = 0.1F;  // m
-    constexpr float kLevel = 0.01F;    // m: largest distance between the surfaces
+    constexpr float kLevel = 0.01F;    // largest distance between the surfaces of a group, m
     std::vector<std::size_t> flat;
     for (const std::size_t i : candidates) {
         const Eigen::Vector3f size = boxes[i].sizes();

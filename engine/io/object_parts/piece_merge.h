@@ -36,11 +36,6 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
                                      const std::vector<bool>& by_material = {});
 
 /// Joins the boards or tiles of a floor, a ceiling or a wall: at least twelve flat drafts without a
-/// class that lie in one plane and together fill most of a side of the scene. Parts must be in the
-/// world's frame. Returns how many drafts were joined to others.
-std::size_t mergeTiles(const RawScene& raw, std::vector<ObjectDraft>& drafts);
-
-/// Joins the boards or tiles of a floor, a ceiling or a wall: at least twelve flat drafts without a
 /// class whose surfaces lie in one plane and together fill most of a side of the scene. Parts must
 /// be in the world's frame. Returns how many drafts were joined to others.
 std::size_t mergeTiles(const RawScene& raw, std::vector<ObjectDraft>& drafts);

@@ -26,7 +26,8 @@ Rgb bytesOf(const Eigen::Vector3f& color) {
     return rgb;
 }
 
-/// Every second bit of a number.
+/// Packs the even bits of a number (0, 2, 4 ...) into the lower half: one coordinate of a Z order
+/// index.
 std::size_t everySecondBit(std::size_t bits) {
     std::size_t result = 0;
     for (unsigned i = 0; i < 16; ++i) result |= ((bits >> (2U * i)) & 1U) << i;
@@ -87,14 +88,15 @@ Rgb meanOf(const std::vector<Rgb>& corners, unsigned dropped_bits) {
     return mean;
 }
 
-/// The squares of all faces; those of one colour share one.
+/// The squares of all faces. Faces of a single colour share the square of that colour.
 struct Squares {
     std::vector<Texels> texels;
     std::vector<std::size_t> of_face;
-    std::vector<bool> even;  // by face: one colour
+    std::vector<bool> uniform;  // by face: whether it has a single colour
 };
 
-/// With `flat`, each face has its mean colour. Returns nullopt if there are too many squares.
+/// With `flat`, each face has its mean colour, rounded to 5 bits per channel so that faces share
+/// squares. Returns nullopt if there are too many squares.
 std::optional<Squares> layOut(const SourceMesh& mesh, std::span<const Rgb> colors, bool flat) {
     Squares squares;
     std::map<Rgb, std::size_t> of_color;
@@ -111,9 +113,9 @@ std::optional<Squares> layOut(const SourceMesh& mesh, std::span<const Rgb> color
             corners, [&](const Rgb& corner) { return corner == corners.front(); });
         // Faces with invalid vertices have one colour, too; they are dropped later.
         const bool has_square = corners.size() == size && (size == 3 || size == 4);
-        const bool even = flat || one_color || !has_square;
+        const bool uniform = flat || one_color || !has_square;
         std::size_t square = squares.texels.size();
-        if (even) {
+        if (uniform) {
             const Rgb color = meanOf(corners, flat ? 3 : 0);
             const auto [found, is_new] = of_color.try_emplace(color, square);
             square = found->second;
@@ -123,7 +125,7 @@ std::optional<Squares> layOut(const SourceMesh& mesh, std::span<const Rgb> color
         }
         if (squares.texels.size() > kMostSquares) return std::nullopt;
         squares.of_face.push_back(square);
-        squares.even.push_back(even);
+        squares.uniform.push_back(uniform);
     }
     return squares;
 }
@@ -177,7 +179,7 @@ std::optional<PaintedMesh> paintVertexColors(const SourceMesh& mesh,
                 continue;
             }
             std::array<float, 2> place = {1.0F, 1.0F};
-            if (!squares->even[face])
+            if (!squares->uniform[face])
                 place = size == 3 ? kTriangle[corner] : kQuadrilateral[corner];
             painted.indices.push_back(static_cast<std::uint32_t>(painted.positions.size()));
             painted.positions.push_back(mesh.positions[v]);

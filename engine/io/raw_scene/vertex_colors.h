@@ -29,8 +29,9 @@ struct PaintedMesh {
 
 /// Paints a texture with the colours of a mesh's vertices (sRGB, 0 to 1, one per position), because
 /// a Scene has no vertex colours. Triangles and quadrilaterals keep the interpolation between their
-/// vertices; larger faces have their mean colour, and so has each face of a mesh with more than a
-/// million faces. Returns nullopt if the mesh has no colours or all vertices have the same one.
+/// vertices; larger faces have their mean colour. In a mesh with more than a million faces of
+/// several colours, each face has its mean colour. Returns nullopt if the mesh has no colours or
+/// all vertices have the same one.
 [[nodiscard]] std::optional<PaintedMesh> paintVertexColors(const SourceMesh& mesh,
                                                            std::span<const Eigen::Vector3f> colors);
 

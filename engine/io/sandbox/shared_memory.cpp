@@ -32,8 +32,9 @@ Error noMemory(int error) {
             {}};
 }
 
-/// Seals the memory against writing. Fails with EBUSY while it is mapped for writing, and also for
-/// a short time after that while the kernel itself uses some of its pages, as on a busy machine.
+/// Seals the memory against writing. The kernel refuses with EBUSY while the memory is mapped for
+/// writing and, on a busy machine, for a short time afterwards, while it still uses some pages
+/// itself. Therefore tries again for some seconds. Returns whether the memory is sealed.
 bool sealAgainstWriting(int memory) {
     constexpr auto kLongest = std::chrono::seconds(5);
     constexpr auto kPause = std::chrono::milliseconds(10);

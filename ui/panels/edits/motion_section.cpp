@@ -24,7 +24,7 @@ constexpr std::array kWorldNames = {
     "Usual for the format",       "Axes and unit of the scene file", "m, y up", "m, z up",
     "m, north, east, down (NED)", "m, right, down, forward"};
 
-/// A clickable text about what is wrong.
+/// Draws a clickable line about something wrong; returns whether it was clicked.
 bool redLink(const std::string& text, const char* name, const std::string& tip) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().bad);
     const std::string shown =
@@ -56,7 +56,7 @@ std::vector<std::size_t> blockedKeys(const MotionView& view) {
     return blocked;
 }
 
-/// Whether the path collides and where, and whether it passes its keys.
+/// Says whether the path collides and passes its keys, with buttons that go to the collisions.
 void drawCollisions(const MotionView& view, MotionActions& actions) {
     int collisions = 0;
     std::size_t segments = 0;
@@ -72,12 +72,12 @@ void drawCollisions(const MotionView& view, MotionActions& actions) {
             actions.collision = 1;
         }
         if (button("Previous collision", "edits.motion.previous_collision",
-                   {.tip = "Ctrl+Left", .small = true})) {
+                   {.tip = "Go to the previous collision (Ctrl+Left)", .small = true})) {
             actions.collision = -1;
         }
         flowTo("Next collision");
         if (button("Next collision", "edits.motion.next_collision",
-                   {.tip = "Ctrl+Right", .small = true})) {
+                   {.tip = "Go to the next collision (Ctrl+Right)", .small = true})) {
             actions.collision = 1;
         }
     } else if (!blocked.empty()) {
@@ -113,7 +113,7 @@ void drawState(const MotionView& view, MotionActions& actions) {
     if (!view.change.empty()) paragraph(view.change, palette().text_dim);
 }
 
-/// A dot that tells whether the camera can be at a key, and passes it as wanted.
+/// Draws a dot whose colour tells whether the camera can be at a key and passes it as wanted.
 void drawKeyDot(const KeyState* state, const std::string& note) {
     const bool blocked = state != nullptr && !state->why_blocked.empty();
     const ImVec4& color = state == nullptr ? palette().text_dim
@@ -127,7 +127,7 @@ void drawKeyDot(const KeyState* state, const std::string& note) {
                              : note);
 }
 
-/// One row for a key, and what the plan could not keep of it.
+/// Draws a row for a key and, below it, why the camera cannot be there or how the plan misses it.
 void drawKey(const MotionView& view, std::size_t i, const std::string& note,
              MotionActions& actions) {
     const std::vector<MotionKey>& keys = view.motion->keys;

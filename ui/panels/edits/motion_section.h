@@ -29,8 +29,8 @@ struct MotionView {
     std::vector<KeyState> key_states;     // of the keys; empty: not known yet
     MoveFormView move;
     std::string why_no_key;        // why no key can be added now; empty: it can
-    std::string why_no_replacing;  // the same of replacing a key by the view
-    std::string change;            // what the last repair changed; empty: none
+    std::string why_no_replacing;  // why no key can be replaced by the view now; empty: one can
+    std::string change;            // what the last repair or obstacles to a move changed; or empty
     bool can_read_again = false;   // whether the path is from a file
     int world = 0;                 // its coordinate system, index in motionWorlds()
     bool busy = false;             // a path is being read, repaired or made
@@ -64,7 +64,8 @@ void keyTimeField(const std::vector<MotionKey>& keys, std::size_t key, const std
 /// The operation that removes a key, by its index.
 [[nodiscard]] nlohmann::json removeCameraKeyOperation(std::size_t key);
 
-/// Draws the section on the given camera motion: import, repair, moves made from templates.
+/// Draws the section on the given camera motion: key frames, import, repair, and the form of a
+/// move.
 MotionActions drawMotionSection(const MotionView& view, MoveDraft& move);
 
 }  // namespace dollytrack::ui

@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
-
 namespace dollytrack::ui {
 namespace {
 
@@ -20,7 +18,8 @@ std::string itemName(const MoveSetting& setting) {
     return fmt::format("edits.move.{}", setting.name);
 }
 
-/// The box that sets an option to `text`, or leaves it to the program. Returns whether it is set.
+/// Draws the check box of an option: set, at first to `text`, or chosen by the program. Returns
+/// whether it is set.
 bool drawSwitch(const MoveSetting& setting, const std::string& text, Options& options) {
     const std::string name(setting.name);
     bool set = options.contains(name);
@@ -32,7 +31,8 @@ bool drawSwitch(const MoveSetting& setting, const std::string& text, Options& op
         }
     }
     nameItem(itemName(setting) + ".set", true);
-    tooltip(set ? "Set; otherwise it is chosen to fit the scene" : "Chosen to fit the scene");
+    tooltip(set ? "Clear the box to have the value chosen to fit the scene"
+                : "Chosen to fit the scene; tick the box to set it");
     ImGui::SameLine();
     if (set) return true;
     ImGui::AlignTextToFramePadding();
@@ -75,7 +75,7 @@ void drawSetting(const MoveFormView& view, const MoveSetting& setting, Options& 
         case MoveSetting::Kind::Number:
             return drawNumber(setting, options);
         case MoveSetting::Kind::Point:
-            // A move begins or ends where the view is, and turns about what the view turns about.
+            // "Here" is the pivot of the view for the centre of a move, and its eye for both ends.
             return drawPoint(setting, setting.name == "center" ? view.pivot : view.eye, options);
         case MoveSetting::Kind::Object:
             ImGui::AlignTextToFramePadding();

@@ -296,7 +296,7 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
         const auto column = [&](const char* id, float share, const auto& draw) {
             ImGui::BeginChild(id, {std::floor(share * all), height});
             draw();
-            // The cursor moves with the content, whatever part of it is visible.
+            // The cursor is below the whole content, including what is scrolled out of view.
             actions.missing_height =
                 std::max(actions.missing_height, ImGui::GetCursorPosY() - height);
             ImGui::EndChild();

@@ -100,7 +100,9 @@ struct ExportActions {
     int later = 0;
     int open_folder = 0;
     int show_sheet = 0;
-    float missing_height = 0.0F;  // of the panel, so that nothing scrolls, px; below 0: excess
+    // Height that the panel lacks to show everything without scrolling, px; below 0: height to
+    // spare.
+    float missing_height = 0.0F;
 };
 
 /// Draws the export settings and the queue.

@@ -33,7 +33,7 @@ RemedyActions drawRemedy(const RemedySearch& search) {
             } else if (search.row.remedy->move_object != 0) {
                 actions.select_object =
                     button("Select it to move it", "selection.select_remedy",
-                           {.tip = "Where to is your choice: move it with G", .primary = true});
+                           {.tip = "You choose where to: press G to move it", .primary = true});
             }
             break;
         case State::Nothing:

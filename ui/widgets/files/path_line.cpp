@@ -66,7 +66,7 @@ void PathLine::typeOn(const std::string& begun) {
 void PathLine::moveChoice(int rows) {
     suggestions_hidden_ = false;
     if (offers_.empty() || offered_for_ != text_) return;  // the list opens with the next frame
-    // One position more than there are offers: the typed text itself.
+    // The positions are those of the offers, and one for the typed text itself.
     const int positions = static_cast<int>(offers_.size()) + 1;
     chosen_ = (chosen_ + 1 + rows + positions) % positions - 1;
 }
@@ -233,7 +233,7 @@ bool PathLine::draw(const FolderOrder& order, float width) {
 void PathLine::take(const std::string& offer) {
     text_ = offer;
     typing_ = false;
-    if (offer.ends_with('/')) continueTyping();  // with what lies in the folder
+    if (offer.ends_with('/')) continueTyping();  // the next part of the path
 }
 
 void PathLine::continueTyping() {

@@ -31,11 +31,13 @@ class PathLine {
     bool drawOffers(float left, float top, float width);
     void complete(std::string& text) const;
     [[nodiscard]] bool isListOpen() const { return !suggestions_hidden_ && !offers_.empty(); }
-    /// The suggestion chosen with the keys, which is taken; empty: none.
+    /// Returns the suggestion chosen with the keys, and clears the choice; empty: none was chosen.
     std::string takeChosen();
+    /// Moves the choice down by some rows (negative: up), around the ends of the list.
     void moveChoice(int rows);
     /// Draws the text field; returns whether Enter was pressed.
     bool drawField(float width);
+    /// Makes a suggestion the text; after a folder, typing goes on.
     void take(const std::string& offer);
     /// Gives the keyboard back to the field, with the cursor at the end and the list closed.
     void continueTyping();
@@ -46,7 +48,7 @@ class PathLine {
     bool takes_over_ = false;  // typed letters are kept for this field until it has the keyboard
     bool to_end_ = false;      // move the cursor to the end
     bool suggestions_hidden_ = false;  // until the text changes
-    bool stays_closed_ = false;        // the list, when the field gets the keyboard again
+    bool stays_closed_ = false;  // keep the list closed when the field gets the keyboard again
     FolderReader reader_;
     std::string asked_folder_;  // folder of the pending request
     std::shared_ptr<const FolderListing> listing_;

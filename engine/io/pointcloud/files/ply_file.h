@@ -36,9 +36,9 @@ struct PlyElement {
 
 /// The header of a PLY file.
 struct PlyHeader {
-    std::string format;   // "ascii", "binary_little_endian" or "binary_big_endian"
-    std::string texture;  // file name in a "comment TextureFile"; empty: none
-    bool by_blender = false;
+    std::string format;       // "ascii", "binary_little_endian" or "binary_big_endian"
+    std::string texture;      // file name in a "comment TextureFile"; empty: none
+    bool by_blender = false;  // a comment says that Blender wrote the file
     std::vector<PlyElement> elements;
     std::size_t size = 0;  // bytes; offset of the data
 };
