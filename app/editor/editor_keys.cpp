@@ -192,14 +192,13 @@ const Editor::KeyStates& Editor::keyStates() {
     }
     key_states_ = {motion, shown.free_space, shown.region, {}};
     if (!motion || !shown.free_space || !shown.rays) return key_states_;
-    const planning::SweptSphere sphere(*shown.rays, *shown.free_space,
-                                       shown.params.camera.camera_radius_m, shown.region.get());
     planning::BaselineScene scene;
     scene.scene = shown.scene;
     scene.rays = shown.rays;
     scene.free_space = shown.free_space;
     scene.region = shown.region;
-    scene.sphere = std::shared_ptr<const planning::SweptSphere>(std::shared_ptr<void>(), &sphere);
+    scene.sphere = std::make_shared<const planning::SweptSphere>(
+        *shown.rays, *shown.free_space, shown.params.camera.camera_radius_m, shown.region.get());
     const planning::MotionCheck check(scene);
     for (const MotionKey& key : motion->keys) {
         ui::KeyState& state = key_states_.keys.emplace_back();

@@ -184,11 +184,19 @@ void Editor::makeMove() {
 
 std::string Editor::moveFault(const Error& error) {
     // Errors name the settings as the command line does, separated by commas.
+    const auto isSetting = [](const std::string& name) {
+        return std::ranges::any_of(planning::moveKinds(), [&](const planning::MoveKind& kind) {
+            return std::ranges::find(kind.settings, name, &planning::MoveSetting::name) !=
+                   kind.settings.end();
+        });
+    };
     std::string labels;
     std::string rest = error.where;
     while (!rest.empty()) {
         const std::size_t cut = rest.find(", ");
-        labels += (labels.empty() ? "" : ", ") + planning::settingLabel(rest.substr(0, cut));
+        const std::string name = rest.substr(0, cut);
+        if (!isSetting(name)) return describe(error);
+        labels += (labels.empty() ? "" : ", ") + planning::settingLabel(name);
         rest = cut == std::string::npos ? "" : rest.substr(cut + 2);
     }
     return labels.empty() ? error.message : labels + ": " + error.message;

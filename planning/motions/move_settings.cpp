@@ -227,11 +227,14 @@ std::string moveHelp() {
     for (const MoveKind& kind : kinds()) {
         help += fmt::format("{}: {}\n", kind.name, kind.text);
         for (const MoveSetting& setting : kind.settings) {
-            std::string usage = fmt::format("{}={}", setting.name, setting.info.unit);
-            if (setting.kind == Kind::Number) {
-                usage = fmt::format("{}={} {}", setting.name, setting.usual, setting.info.unit);
-            }
-            help += fmt::format("  {:<18} {}\n", usage, setting.info.text);
+            const bool is_number = setting.kind == Kind::Number;
+            const std::string usage = is_number
+                                          ? fmt::format("{}={}", setting.name, setting.usual)
+                                          : fmt::format("{}={}", setting.name, setting.info.unit);
+            const std::string unit = is_number && !setting.info.unit.empty()
+                                         ? fmt::format(", {}", setting.info.unit)
+                                         : "";
+            help += fmt::format("  {:<18} {}{}\n", usage, setting.info.text, unit);
         }
     }
     return help;

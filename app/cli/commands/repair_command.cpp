@@ -209,14 +209,16 @@ Result<ImportedMotion> takeMove(const RepairArguments& arguments, const Trajecto
             "it.",
             "--append");
     }
-    auto keys = planning::withKeysAlong(std::move(motion.keys), move, opened.params.timing, job)
-                    .and_then([&](std::vector<MotionKey> longer) {
-                        return planning::withReachableTimes(map, opened.params.timing,
-                                                            std::move(longer), job);
-                    });
+    auto keys =
+        planning::withKeysAlong(std::move(motion.keys), move, opened.params.timing,
+                                job.stage(0.0, 0.2, "key frames"))
+            .and_then([&](std::vector<MotionKey> longer) {
+                return planning::withReachableTimes(map, opened.params.timing, std::move(longer),
+                                                    job.stage(0.2, 0.7, "key times"));
+            });
     if (!keys) return tl::unexpected(std::move(keys.error()));
     motion.keys = std::move(*keys);
-    return passKeys(std::move(motion), opened, map, job);
+    return passKeys(std::move(motion), opened, map, job.stage(0.7, 1.0, "key frames"));
 }
 
 Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const OpenedScene& opened,
@@ -238,10 +240,11 @@ Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const Opened
     const JobContext part = job.stage(0.3, 1.0, "repairing");
     Result<ImportedMotion> made = ImportedMotion{};
     if (request) {
-        made = planning::makeMove(*map, opened.params, *request, part)
+        made = planning::makeMove(*map, opened.params, *request, part.stage(0.0, 0.6, "move"))
                    .and_then([&](const planning::CameraMove& move) {
                        if (!move.note.empty()) log::info("repair", move.note);
-                       return takeMove(arguments, move.trajectory, opened, *map, part);
+                       return takeMove(arguments, move.trajectory, opened, *map,
+                                       part.stage(0.6, 1.0, "key frames"));
                    });
     } else if (!arguments.trajectory.empty()) {
         made = importTrajectory(arguments, opened, *map, part);

@@ -87,6 +87,8 @@ void LightWorker::poll() {
     if (!baked || baked->number != number_) return;
     light_ = std::make_shared<const render::LightVolume>(std::move(baked->light));
     is_final_ = baked->is_final;
+    // The final light may arrive just before it is stopped.
+    if (is_final_) stopped_ = false;
 }
 
 void LightWorker::drop() {

@@ -77,7 +77,7 @@ void MotionWorker::make(const planning::MoveRequest& move, const SharedMotion& a
     start(Source::Move, [move, after, shown](const JobContext& job) -> Result<Outcome> {
         const auto map = mapOf(shown, job);
         if (!map) return tl::unexpected(map.error());
-        auto made = planning::makeMove(*map, shown.params, move, job.stage(0.2, 0.8, "move"));
+        auto made = planning::makeMove(*map, shown.params, move, job.stage(0.2, 0.7, "move"));
         if (!made) return tl::unexpected(std::move(made.error()));
         if (!after) {
             return Outcome{Source::Move,
@@ -88,7 +88,8 @@ void MotionWorker::make(const planning::MoveRequest& move, const SharedMotion& a
         }
         GivenMotion longer = *after;
         const planning::TimingParams& timing = shown.params.timing;
-        auto keys = planning::withKeysAlong(std::move(longer.keys), made->trajectory, timing, job);
+        auto keys = planning::withKeysAlong(std::move(longer.keys), made->trajectory, timing,
+                                            job.stage(0.7, 0.8, "key frames"));
         if (!keys) return tl::unexpected(std::move(keys.error()));
         keys = planning::withReachableTimes(*map, timing, std::move(*keys),
                                             job.stage(0.8, 1.0, "key times"));

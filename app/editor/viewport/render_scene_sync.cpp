@@ -12,12 +12,16 @@ void RenderSceneSync::forget() {
 void RenderSceneSync::send(const PlanOutcome& shown, const LightWorker& lighter) {
     const int anisotropy = shown.params.picture.anisotropy;
     const std::shared_ptr<const render::LightVolume> light = lighter.light();
-    if (sent_ && scene_ == shown.scene && light_ == light && anisotropy_ == anisotropy) return;
-    drawing_.setScene({shown.scene, shown.rays, light, anisotropy, shown.geometry,
-                       light != nullptr && !lighter.isFinal()});
+    const bool coarse = light != nullptr && !lighter.isFinal();
+    if (sent_ && scene_ == shown.scene && light_ == light && light_is_coarse_ == coarse &&
+        anisotropy_ == anisotropy) {
+        return;
+    }
+    drawing_.setScene({shown.scene, shown.rays, light, anisotropy, shown.geometry, coarse});
     anisotropy_ = anisotropy;
     scene_ = shown.scene;
     light_ = light;
+    light_is_coarse_ = coarse;
     sent_ = true;
 }
 

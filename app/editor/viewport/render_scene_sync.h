@@ -29,6 +29,7 @@ class RenderSceneSync {
     bool viewed_ = false;
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const render::LightVolume> light_;
+    bool light_is_coarse_ = false;
     int anisotropy_ = 0;
 };
 

@@ -356,13 +356,14 @@ void readMeshes(const aiScene& scene, const std::vector<Placement>& placements,
     });
     for (std::size_t i = 0; i < placements.size(); ++i) {
         raw.repairs.add(read[i].repairs);
-        if (colors[i].empty() || !colors[i].front().allFinite()) continue;
+        if (colors[i].empty()) continue;
         Material material = raw.materials[raw.parts[i].material];
         if (read[i].painted) {
             material.texture = static_cast<int>(raw.textures.size());
             material.base_color.setOnes();
             raw.textures.push_back(std::move(*read[i].painted));
         } else {
+            if (!colors[i].front().allFinite()) continue;
             material.base_color =
                 colors[i].front().cwiseMax(0.0F).cwiseMin(1.0F).unaryExpr(&linearFromSrgb);
         }

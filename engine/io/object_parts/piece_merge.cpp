@@ -276,6 +276,7 @@ bool fillSide(const std::vector<Eigen::AlignedBox3f>& boxes, int axis,
     Eigen::AlignedBox3f around;
     for (const Eigen::AlignedBox3f& box : boxes) around.extend(box);
     const Eigen::Vector3f size = around.sizes();
+    if (!(size[u] > 0.0F && size[v] > 0.0F)) return false;
     if (size[u] * size[v] < kSmallestShare * scene.sizes()[u] * scene.sizes()[v]) return false;
     std::array<std::array<bool, kCells>, kCells> filled{};
     for (const Eigen::AlignedBox3f& box : boxes) {
@@ -304,6 +305,7 @@ std::vector<std::vector<std::size_t>> findTiles(const std::vector<Eigen::Aligned
     constexpr float kLevel = 0.01F;    // largest distance between the surfaces of a group, m
     std::vector<std::size_t> flat;
     for (const std::size_t i : candidates) {
+        if (boxes[i].isEmpty()) continue;
         const Eigen::Vector3f size = boxes[i].sizes();
         if (size[axis] <= kThickest && size[axis] <= size.minCoeff()) flat.push_back(i);
     }

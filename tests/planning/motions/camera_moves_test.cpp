@@ -126,7 +126,9 @@ TEST(CameraMoves, AnOrbitAvoidsObstaclesByItsRadiusAndHeight) {
                                           2.0 * std::numbers::pi));
     }
     EXPECT_GT(turned, 1.9 * std::numbers::pi) << "all around, nearer";
-    EXPECT_TRUE(made(scene, "orbit:target=stool,radius=1,height=1")->note.empty());
+    const auto fits = made(scene, "orbit:target=stool,radius=1,height=1");
+    ASSERT_TRUE(fits) << describe(fits.error());
+    EXPECT_TRUE(fits->note.empty());
 }
 
 TEST(CameraMoves, WalksAcrossTheOnlyRoom) {

@@ -77,13 +77,28 @@ void drawSetting(const MoveFormView& view, const MoveSetting& setting, Options& 
         case MoveSetting::Kind::Point:
             // "Here" is the pivot of the view for the centre of a move, and its eye for both ends.
             return drawPoint(setting, setting.name == "center" ? view.pivot : view.eye, options);
-        case MoveSetting::Kind::Object:
+        case MoveSetting::Kind::Object: {
+            const bool has_center = options.contains("center");
+            const std::string shown = has_center            ? "the centre below"
+                                      : view.target.empty() ? "middle of the largest room"
+                                                            : view.target;
             ImGui::AlignTextToFramePadding();
             ImGui::TextColored(
-                view.target.empty() ? palette().text_dim : palette().accent, "%s",
-                view.target.empty() ? "middle of the largest room" : view.target.c_str());
+                has_center || view.target.empty() ? palette().text_dim : palette().accent, "%s",
+                shown.c_str());
             nameItem(itemName(setting), true);
+        }
     }
+}
+
+/// The move on the command line, where it has to name the selected object.
+std::string commandLine(const MoveFormView& view, const MoveDraft& draft) {
+    planning::MoveRequest move = draft.request();
+    const bool at_object = !view.target.empty() && !move.options.contains("center") &&
+                           view.target.find(',') == std::string::npos;
+    if (at_object) move.options.try_emplace("target", view.target);
+    return fmt::format("dollytrack repair SCENE --move '{}' -o PROJECT.dolly",
+                       planning::moveText(move));
 }
 
 }  // namespace
@@ -120,9 +135,8 @@ bool drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
     const bool make =
         button(label.c_str(), "edits.move.make",
                {.why_not = view.why_not,
-                .tip = fmt::format("{}. On the command line: dollytrack repair --move '{}'",
-                                   planning::settingLabel(kind->text),
-                                   planning::moveText(draft.request()))});
+                .tip = fmt::format("{}. On the command line: {}",
+                                   planning::settingLabel(kind->text), commandLine(view, draft))});
     flowTo("Close");
     if (!make && button("Close", "edits.move.close", {.tip = "Hide this form"})) draft.kind.clear();
     return make;
