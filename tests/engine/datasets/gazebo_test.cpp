@@ -389,7 +389,7 @@ TEST(Gazebo, PopulationsWithoutFixedPositionsAreNamed) {
     };
     const Scene scene = imported(folder.write(
         "room.world",
-        world("\n" + modelAt(0, "table", test::kBall) +
+        world(std::string("\n") + modelAt(0, "table", test::kBall) +
               population("cans", place("<type>random</type>")) +
               population("cups", place("<type>uniform</type>")) +
               population("books", place("<type>grid</type><rows>2</rows>")) +
