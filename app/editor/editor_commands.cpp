@@ -382,6 +382,8 @@ void Editor::drawMenus() {
     ui::nameItem("menu.file");
     menu("Edit");
     ui::nameItem("menu.edit");
+    menu("Camera");
+    ui::nameItem("menu.camera");
     menu("View");
     ui::nameItem("menu.view");
     menu("Layers");

@@ -40,13 +40,13 @@ nlohmann::json changeOperation(std::size_t key, const Pose& pose) {
 
 void Editor::addCameraKeyCommands() {
     commands_.add({"edit.camera_key",
-                   "Edit",
+                   "Camera",
                    "Add this view to the camera path as a key",
                    {GLFW_KEY_K},
                    [this] { recordKey(); },
                    [this] { return whyNoKey(); }});
     commands_.add({"edit.replace_camera_key",
-                   "Edit",
+                   "Camera",
                    "Replace the selected key by this view",
                    {GLFW_KEY_K, false, true},
                    [this] { replaceKey(); },
@@ -61,7 +61,7 @@ void Editor::addCameraKeyCommands() {
                    }});
     commands_.add(
         {"edit.fit_keys",
-         "Edit",
+         "Camera",
          "Give all keys their reachable times",
          {},
          [this] { motions_.fitKeys(workspace_.state().edits.plan.motion, workspace_.shown()); },

@@ -38,7 +38,7 @@ std::string changeText(const planning::MotionChange& change) {
 void Editor::addMotionCommands() {
     for (const planning::MoveKind& kind : planning::moveKinds()) {
         commands_.add({fmt::format("edit.move.{}", kind.name),
-                       "Edit",
+                       "Camera",
                        fmt::format("Camera move: {}\u2026", kind.name),
                        {},
                        [this, name = std::string(kind.name)] {
@@ -63,13 +63,13 @@ void Editor::addMotionCommands() {
     };
     commands_.add(
         {"edit.repair_motion",
-         "Edit",
+         "Camera",
          "Repair the camera path",
          {},
          [this] { motions_.repair(workspace_.state().edits.plan.motion, workspace_.shown()); },
          needs_frames});
     commands_.add({"edit.clear_motion",
-                   "Edit",
+                   "Camera",
                    "Plan instead of following the camera path",
                    {},
                    [this] {

@@ -11,10 +11,12 @@ SIDES = ("left", "right", "bottom")
 PANELS = {"objects": "objects.", "layers": "layers.", "by hand": "edits.", "history": "history.",
           "parameters": "parameters.", "selection": "selection.", "metrics": "metrics.",
           "timeline": "timeline.", "algorithm": "steps.", "export": "export.", "log": "log."}
-MENUS = ("file", "edit", "view", "layers", "timeline", "window", "help")
+MENUS = ("file", "edit", "camera", "view", "layers", "timeline", "window", "help")
 # Commands and buttons whose name ends in dots; other texts get them where they are shortened.
 DOTTED = ("Open", "Save as", "Use a label file", "Write annotations", "Import a camera path",
-          "Export the dataset", "Open B", "Choose", "Add projects")
+          "Export the dataset", "Open B", "Choose", "Add projects", "Camera move: orbit",
+          "Camera move: arc", "Camera move: dolly", "Camera move: crane", "Camera move: walk",
+          "Compare with another project")
 # The tail of this letter reaches a little over the left edge of its line, where it may be cut.
 OVERHANGING = "j"
 # Fields and lists whose text scrolls or depends on files and names of the user.
