@@ -78,8 +78,8 @@ class Editor {
     void drawBottomRow(ImVec2 low, ImVec2 size);
     [[nodiscard]] bool exportsAtBottom() const;
     void refreshScene();
-    /// Decides whether the bars on doubtful import settings and on missing textures are shown for
-    /// the file that was just opened.
+    /// Called when a file has been opened. Decides whether to show the bars that warn of doubtful
+    /// import settings and of missing textures.
     void noteOpening();
     void autosave();
     void rememberSettings();
@@ -238,8 +238,8 @@ class Editor {
     /// Makes the move that the form describes. Asks first if the camera path has keys or is from a
     /// file.
     void makeMove();
-    /// The message for an error of a camera move, with the labels of the form's widgets instead of
-    /// the setting's names.
+    /// The text of an error that planning a camera move returned. It names settings by their labels
+    /// in the form ("From height") instead of their names on the command line ("from_height").
     [[nodiscard]] static std::string moveFault(const Error& error);
 
     // editor_keys.cpp: key frames of the camera path
@@ -333,8 +333,8 @@ class Editor {
     ui::LogBuffer& log_;
     EditorSettings settings_;
     SettingsSaver settings_saver_;
-    /// First part of an entry in EditorSettings::seen, followed by the path of a scene whose import
-    /// settings the user has confirmed.
+    /// Once the user has confirmed the import settings of a scene, this prefix and the scene's path
+    /// are an entry in EditorSettings::seen.
     static constexpr const char* kImportKept = "import kept: ";
     bool import_bar_dismissed_ = false;
     bool textures_note_ = false;        // the bar about missing textures is shown

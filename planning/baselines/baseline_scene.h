@@ -20,8 +20,8 @@ Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const
                                        const PlanParams& params, const JobContext& job);
 
 /// Like mapBaselineScene(), but takes existing maps, such as those of a pipeline's last run. They
-/// must have been made from this scene, these edits and these parameters. `texture_corners` stays
-/// null, because only metrics need it.
+/// must have been made from this scene, these edits and these parameters. `texture_corners` is left
+/// null: only the metrics of a plan read it.
 BaselineScene baselineSceneOver(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const PlanParams& params, std::shared_ptr<const RayCaster> rays,
                                 std::shared_ptr<const FreeSpace> free_space,

@@ -35,8 +35,8 @@ struct KeyMotion {
 /// obstacles allow; later keys are in time again where their times leave room for that. After a way
 /// around obstacles it may be at a key some tenths of a second early. If a key is in collision, not
 /// reached, or its time is not kept, its note says so. Where no motion near the keys is free, the
-/// trajectory collides, and the notes of all keys in collision say so. Errors: those of keyTimes();
-/// BadInput if the way around obstacles would take more than kMostMotionFrames.
+/// trajectory collides, and each key in collision has a note that says so. Errors: those of
+/// keyTimes(); BadInput if the way around obstacles would take more than kMostMotionFrames.
 Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams& timing,
                                   const std::vector<MotionKey>& keys, const JobContext& job);
 

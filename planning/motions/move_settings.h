@@ -43,7 +43,8 @@ struct MoveRequest {
     std::optional<int> object_id = {};  // subject of the move if `options` name none
 };
 
-/// Reads a request. Errors: Usage for an unknown kind or option, with the closest name.
+/// Parses a camera move such as "orbit:target=sofa,radius=1.5". Errors: Usage if the kind of move
+/// or a setting is unknown; the message suggests the most similar known name.
 Result<MoveRequest> parseMove(const std::string& text);
 
 /// The request as parseMove() reads it, without the object's id.

@@ -30,8 +30,8 @@ struct Orbit {
     double share = 0.0;
 };
 
-/// Ideal positions of camera moves around one object, or around a point. Keeps a reference to the
-/// scene.
+/// Computes where the camera would be during a move around an object or a point if no obstacle were
+/// in the way. The scene must outlive this object.
 class ObjectMoves {
   public:
     ObjectMoves(const BaselineScene& scene, const Object& object);

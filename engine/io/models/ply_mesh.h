@@ -45,8 +45,8 @@ struct PlyMesh {
 /// The mesh as a scene of one part.
 [[nodiscard]] RawScene sceneOfPly(const PlyMesh& mesh);
 
-/// Adds the faces with these indices as a part under a new node; vertex colours become a texture.
-/// `first_index` is the result of firstIndices(). Returns the part's index.
+/// Adds the faces with these indices to `scene`, as a part under a new node. Vertex colours become a
+/// texture. `first_index` must be the result of firstIndices(mesh). Returns the part's index.
 std::size_t addPlyPart(const PlyMesh& mesh, std::span<const std::size_t> faces,
                        std::span<const std::size_t> first_index, const std::string& name,
                        RawScene& scene);

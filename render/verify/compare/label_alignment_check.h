@@ -51,9 +51,9 @@ class LabelAlignmentCheck {
     [[nodiscard]] RankedFrames rankedFor(std::size_t frame) const;
     [[nodiscard]] std::string problemOf(std::size_t frame, bool many_unexplained,
                                         const Files& files) const;
-    /// Whether an image shows no edges where two objects meet whose colours differ clearly in other
-    /// frames. Borders between walls of one colour prove nothing, least of all if both walls lie
-    /// in one plane.
+    /// Whether an image has no edges at the border of two objects, although their colours in other
+    /// frames differ clearly. Objects of similar colour, such as two walls, are not compared,
+    /// because the border between them is invisible in a correct image, too.
     [[nodiscard]] bool lacksExpectedEdges(std::size_t frame, const Files& files) const;
     [[nodiscard]] std::string explainedByOther(std::size_t frame,
                                                const std::vector<std::size_t>& others,
