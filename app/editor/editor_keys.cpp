@@ -106,7 +106,7 @@ const std::vector<PassedKey>& Editor::passedKeys() const {
 std::string Editor::whyNoKey() const {
     if (!workspace_.isOpen() || !workspace_.shown().scene) return "No scene is open.";
     if (workspace_.state().edits.plan.motion && cameraKeys().empty()) {
-        return "Remove the imported camera path first (By hand, Plan instead).";
+        return "Remove the camera path first (By hand, Plan instead).";
     }
     return panels_.viewport.camera.orthographic && !through_camera_
                ? "Switch to perspective (5) first."

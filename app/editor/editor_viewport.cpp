@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 
+#include "engine/core/text_lists.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/plan/object_key.h"
 #include "planning/free_space/free_space.h"
@@ -385,9 +386,7 @@ void Editor::drawImportBar() {
 void Editor::drawTextureBar() {
     if (!textures_note_ || !workspace_.isOpen()) return;
     const std::vector<std::string>& missing = workspace_.importReport().textures_missing;
-    const std::string count = missing.size() == 1
-                                  ? "1 texture is missing"
-                                  : fmt::format("{} textures are missing", missing.size());
+    const std::string count = counted(missing.size(), "texture is missing", "textures are missing");
     const int pressed = ui::drawNoteBar(
         "textures_missing", count + "; those surfaces have a plain colour.",
         {{"Details\u2026", "Name the missing textures"}, {"Hide", "Hide this line"}});

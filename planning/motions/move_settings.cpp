@@ -232,7 +232,7 @@ std::string moveHelp() {
                                           ? fmt::format("{}={}", setting.name, setting.usual)
                                           : fmt::format("{}={}", setting.name, setting.info.unit);
             const std::string unit = is_number && !setting.info.unit.empty()
-                                         ? fmt::format(", {}", setting.info.unit)
+                                         ? fmt::format(" ({})", setting.info.unit)
                                          : "";
             help += fmt::format("  {:<18} {}{}\n", usage, setting.info.text, unit);
         }

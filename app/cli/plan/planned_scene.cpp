@@ -10,7 +10,6 @@
 #include "planning/timing/clip.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -106,13 +105,8 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
 
 /// Where collisions begin: "; they begin at frames 3, 40, ..."; empty if that is not known.
 std::string collisionsText(const Plan& plan) {
-    constexpr std::size_t kMost = 10;
-    std::vector<int> begins = planning::collidingFrames(plan);
-    if (begins.empty()) return {};
-    const bool more = begins.size() > kMost;
-    begins.resize(std::min(begins.size(), kMost));
-    return fmt::format("; they begin at frame{} {}{}", begins.size() == 1 ? "" : "s",
-                       fmt::join(begins, ", "), more ? ", ..." : "");
+    const std::vector<int> begins = planning::collidingFrames(plan);
+    return begins.empty() ? std::string() : "; they begin at " + frameRanges(begins);
 }
 
 /// Warns about keys that a given motion cannot keep, about its collisions, and about parameters
