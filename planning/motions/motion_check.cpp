@@ -6,7 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::planning {
 namespace {
@@ -63,18 +66,22 @@ std::string whyNotFree(const BaselineScene& scene, const Eigen::Vector3d& positi
 
 std::optional<Eigen::Vector3d> nearestFree(const BaselineScene& scene,
                                            const Eigen::Vector3d& position) {
-    std::optional<Eigen::Vector3d> nearest;
-    double least = std::numeric_limits<double>::infinity();
+    std::vector<std::pair<float, const Eigen::Vector3f*>> by_distance;
+    const Eigen::Vector3f from = position.cast<float>();
     for (std::size_t room = 0; room < scene.free_space->rooms().size(); ++room) {
         for (const Eigen::Vector3f& cell : scene.sphere->cells(static_cast<int>(room))) {
-            const Eigen::Vector3d place = cell.cast<double>();
-            const double distance = (place - position).squaredNorm();
-            if (distance >= least || !scene.sphere->fits(place)) continue;
-            least = distance;
-            nearest = place;
+            by_distance.emplace_back((cell - from).squaredNorm(), &cell);
         }
     }
-    return nearest;
+    // The exact test is costly, and one of the first cells passes it: a heap sorts only those.
+    std::ranges::make_heap(by_distance, std::greater());
+    while (!by_distance.empty()) {
+        const Eigen::Vector3d place = by_distance.front().second->cast<double>();
+        if (scene.sphere->fits(place)) return place;
+        std::ranges::pop_heap(by_distance, std::greater());
+        by_distance.pop_back();
+    }
+    return std::nullopt;
 }
 
 }  // namespace dollytrack::planning

@@ -94,19 +94,22 @@ double UnitEvidence::Kind::fitIn(double unit_m) const {
 
 UnitEvidence measureForUnit(const FrameEvidence& evidence, UpAxis up, double evidence_m) {
     UnitEvidence result;
+    result.height = evidence.core.sizes()[up.index()] / evidence_m;
+    result.length = evidence.core.sizes().maxCoeff() / evidence_m;
     for (const FurnitureSize& usual : kFurnitureSizes) {
         std::vector<double> sizes;
         for (const MeasuredObject& object : evidence.objects) {
             if (object.nyu40 != usual.nyu40) continue;
             if (object.building && usual.nyu40 != kNyuDoor) continue;
-            sizes.push_back(object.box.sizes().maxCoeff() / evidence_m);
+            const double size = object.box.sizes().maxCoeff() / evidence_m;
+            // A door higher than the building is all its doors in one mesh.
+            if (usual.nyu40 == kNyuDoor && size > result.height) continue;
+            sizes.push_back(size);
         }
         if (sizes.empty()) continue;
         const double size = median(std::move(sizes));
         if (size > 0.0) result.kinds.push_back({usual.nyu40, size, usual.low, usual.high});
     }
-    result.height = evidence.core.sizes()[up.index()] / evidence_m;
-    result.length = evidence.core.sizes().maxCoeff() / evidence_m;
     std::vector<double> storeys = storeyHeights(evidence.levels[up.index()], result.height);
     const double gap = storeys.empty() ? 0.0 : *std::ranges::max_element(storeys);
     if (gap > kRoomShare * result.height) result.room_height = gap;
