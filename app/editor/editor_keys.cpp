@@ -192,7 +192,7 @@ const Editor::KeyStates& Editor::keyStates() {
     }
     key_states_ = {motion, shown.free_space, shown.region, {}};
     if (!motion || !shown.free_space || !shown.rays) return key_states_;
-    planning::BaselineScene scene;
+    planning::MappedScene scene;
     scene.scene = shown.scene;
     scene.rays = shown.rays;
     scene.free_space = shown.free_space;

@@ -40,8 +40,8 @@ Status writeReferenceSurface(const cli::SceneArguments& scene, const std::filesy
                              const JobContext& job) {
     const Result<cli::OpenedScene> opened = cli::openScene(scene, job.stage(0.0, 0.2, "loading"));
     if (!opened) return tl::unexpected(opened.error());
-    const auto map = planning::mapBaselineScene(opened->scene, opened->plan_edits, opened->params,
-                                                job.stage(0.2, 0.5, "free space"));
+    const auto map = planning::mapScene(opened->scene, opened->plan_edits, opened->params,
+                                        job.stage(0.2, 0.5, "free space"));
     if (!map) return tl::unexpected(map.error());
     const auto samples = planning::reachableSurface(*map, kReferenceSpacing_m,
                                                     job.stage(0.5, 1.0, "reference surface"));

@@ -12,8 +12,8 @@
 
 namespace dollytrack::planning {
 
-Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
-                                       const PlanParams& params, const JobContext& job) {
+Result<MappedScene> mapScene(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
+                             const PlanParams& params, const JobContext& job) {
     if (Status status = validate(params); !status) {
         return tl::unexpected(std::move(status.error()));
     }
@@ -24,17 +24,16 @@ Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const
     const auto region = std::make_shared<const AllowedRegion>(
         *scene, *rays, *free_space, edits.no_go, params.free_space, params.body,
         params.camera.camera_radius_m);
-    BaselineScene made =
-        baselineSceneOver(std::move(scene), edits, params, rays, free_space, region);
+    MappedScene made = mappedSceneOf(std::move(scene), edits, params, rays, free_space, region);
     made.texture_corners = std::make_shared<const TextureCorners>(*made.scene);
     return made;
 }
 
-BaselineScene baselineSceneOver(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
-                                const PlanParams& params, std::shared_ptr<const RayCaster> rays,
-                                std::shared_ptr<const FreeSpace> free_space,
-                                std::shared_ptr<const AllowedRegion> region) {
-    BaselineScene made;
+MappedScene mappedSceneOf(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
+                          const PlanParams& params, std::shared_ptr<const RayCaster> rays,
+                          std::shared_ptr<const FreeSpace> free_space,
+                          std::shared_ptr<const AllowedRegion> region) {
+    MappedScene made;
     made.scene = std::move(scene);
     made.edits = edits;
     made.rays = std::move(rays);
@@ -46,7 +45,7 @@ BaselineScene baselineSceneOver(std::shared_ptr<const Scene> scene, const PlanEd
     return made;
 }
 
-std::vector<int> shareByRoom(const BaselineScene& scene, int total, int least) {
+std::vector<int> shareByRoom(const MappedScene& scene, int total, int least) {
     const auto& rooms = scene.free_space->rooms();
     double volume = 0.0;
     for (const Room& room : rooms) volume += room.volume_m3;
@@ -62,7 +61,7 @@ std::vector<int> shareByRoom(const BaselineScene& scene, int total, int least) {
     return shares;
 }
 
-Eigen::Vector3d randomPlace(const BaselineScene& scene, int room, Random& random) {
+Eigen::Vector3d randomPlace(const MappedScene& scene, int room, Random& random) {
     constexpr int kTries = 200;
     const auto& cells = scene.sphere->cells(room);
     const double half = 0.5 * scene.free_space->resolution_m();

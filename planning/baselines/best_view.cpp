@@ -27,13 +27,13 @@ struct BestView {
 };
 
 /// Height of the floor below the room's position of largest clearance, m.
-double floorOf(const BaselineScene& scene, const Room& room) {
+double floorOf(const MappedScene& scene, const Room& room) {
     const RayHit hit = scene.rays->cast(room.sample, -Eigen::Vector3d::UnitZ());
     const double by_box = room.box.min().z();
     return hit.object_id != 0 ? std::min(by_box, room.sample.z() - hit.distance) : by_box;
 }
 
-std::vector<Eigen::Vector3d> candidatePlaces(const BaselineScene& scene, const Room& room) {
+std::vector<Eigen::Vector3d> candidatePlaces(const MappedScene& scene, const Room& room) {
     std::vector<Eigen::Vector2d> corners;
     for (const double x : {room.box.min().x(), room.box.max().x()}) {
         for (const double y : {room.box.min().y(), room.box.max().y()}) corners.emplace_back(x, y);
@@ -74,7 +74,7 @@ double reachInside(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& place,
 }
 
 /// The heading with the largest visible area of the plan, at the camera's height.
-BestView bestHeading(const BaselineScene& scene, const Room& room, const Eigen::Vector3d& place,
+BestView bestHeading(const MappedScene& scene, const Room& room, const Eigen::Vector3d& place,
                      double hfov) {
     std::array<double, kRaysPerTurn> slices{};  // m2 each
     constexpr double kSlice = 2.0 * std::numbers::pi / kRaysPerTurn;
@@ -100,7 +100,7 @@ BestView bestHeading(const BaselineScene& scene, const Room& room, const Eigen::
     return best;
 }
 
-std::vector<BestView> bestViews(const BaselineScene& scene, const Room& room, int count,
+std::vector<BestView> bestViews(const MappedScene& scene, const Room& room, int count,
                                 double hfov) {
     std::vector<Eigen::Vector3d> places = candidatePlaces(scene, room);
     if (places.empty()) places.push_back(room.sample);
@@ -121,8 +121,8 @@ std::vector<BestView> bestViews(const BaselineScene& scene, const Room& room, in
 
 }  // namespace
 
-Result<PlannedMotion> planBestView(const BaselineScene& scene, const PlanParams& params,
-                                   int /*seed*/, const JobContext& job) {
+Result<PlannedMotion> planBestView(const MappedScene& scene, const PlanParams& params, int /*seed*/,
+                                   const JobContext& job) {
     PlannedMotion motion;
     motion.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
     auto& frames = motion.trajectory.frames;

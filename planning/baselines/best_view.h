@@ -10,7 +10,7 @@ namespace dollytrack::planning {
 /// view, 5.2 views per scene on average. Differences: a scene of fewer than five rooms gets five
 /// views, at least 1 m apart; the corners of the plan are those of the room's bounding box and of
 /// the objects' footprints; the camera sphere must fit at every candidate. Error: Cancelled.
-Result<PlannedMotion> planBestView(const BaselineScene& scene, const PlanParams& params, int seed,
+Result<PlannedMotion> planBestView(const MappedScene& scene, const PlanParams& params, int seed,
                                    const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -26,7 +26,7 @@ struct WalkView {
 
 class Walk {
   public:
-    Walk(const BaselineScene& scene, int room, Random random)
+    Walk(const MappedScene& scene, int room, Random random)
         : scene_(scene), room_(room), random_(random) {}
 
     WalkView first() {
@@ -108,15 +108,15 @@ class Walk {
         return valid * valid * static_cast<double>(triangles.size());
     }
 
-    const BaselineScene& scene_;
+    const MappedScene& scene_;
     int room_;
     Random random_;
 };
 
 }  // namespace
 
-Result<PlannedMotion> planDensityWalk(const BaselineScene& scene, const PlanParams& params,
-                                      int seed, const JobContext& job) {
+Result<PlannedMotion> planDensityWalk(const MappedScene& scene, const PlanParams& params, int seed,
+                                      const JobContext& job) {
     PlannedMotion motion;
     motion.trajectory.frame_interval_s = 1.0;  // metadata_camera.csv: one second per view
     auto& frames = motion.trajectory.frames;

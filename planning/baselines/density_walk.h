@@ -11,7 +11,7 @@ namespace dollytrack::planning {
 /// times the number of different triangles hit; sequences of 100 views. Differences: the first
 /// view, chosen by an artist there, is the best of 20 random ones; 64 x 48 rays instead of 256 x
 /// 192; only positions where the camera sphere fits in the map are drawn. Error: Cancelled.
-Result<PlannedMotion> planDensityWalk(const BaselineScene& scene, const PlanParams& params,
-                                      int seed, const JobContext& job);
+Result<PlannedMotion> planDensityWalk(const MappedScene& scene, const PlanParams& params, int seed,
+                                      const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -54,7 +54,7 @@ PlannedMotion motionAlong(const std::vector<SmoothPath>& paths, Trajectory traje
     return motion;
 }
 
-Result<std::shared_ptr<const Plan>> runPipeline(const BaselineScene& scene, PlanParams params,
+Result<std::shared_ptr<const Plan>> runPipeline(const MappedScene& scene, PlanParams params,
                                                 int seed, const JobContext& job) {
     params.seed = seed;
     params.timing.max_frames = frameBudget(params);
@@ -71,7 +71,7 @@ PlannedMotion plannedMotionOf(const Plan& plan) {
     return motion;
 }
 
-Result<PlannedMotion> smoothAsThePaper(const BaselineScene& scene, const Plan& plan,
+Result<PlannedMotion> smoothAsThePaper(const MappedScene& scene, const Plan& plan,
                                        const PlanParams& params) {
     const PitchBand pitch = pitchBand(params.constraints);
     const PlanningEnvironment environment{*scene.views, *scene.free_space, *scene.sphere, pitch};
@@ -88,14 +88,14 @@ Result<PlannedMotion> smoothAsThePaper(const BaselineScene& scene, const Plan& p
         });
 }
 
-Result<PlannedMotion> planWithDollytrack(const BaselineScene& scene, const PlanParams& params,
+Result<PlannedMotion> planWithDollytrack(const MappedScene& scene, const PlanParams& params,
                                          int seed, const JobContext& job) {
     return runPipeline(scene, params, seed, job).map([](const auto& plan) {
         return plannedMotionOf(*plan);
     });
 }
 
-Result<PlannedMotion> planPaperSmoothing(const BaselineScene& scene, const PlanParams& params,
+Result<PlannedMotion> planPaperSmoothing(const MappedScene& scene, const PlanParams& params,
                                          int seed, const JobContext& job) {
     PlanParams as_paper = params;
     as_paper.timing.max_frames = frameBudget(params);

@@ -13,18 +13,18 @@ PlannedMotion plannedMotionOf(const Plan& plan);
 
 /// Dollytrack's own planner, the whole Pipeline. `plan_ms` excludes the map, which all planners
 /// share, and the metrics. Errors as Pipeline::run().
-Result<PlannedMotion> planWithDollytrack(const BaselineScene& scene, const PlanParams& params,
+Result<PlannedMotion> planWithDollytrack(const MappedScene& scene, const PlanParams& params,
                                          int seed, const JobContext& job);
 
 /// Dollytrack's path with the smoothing of "Camera Pose Generation Based on Unity3D" (Information
 /// 2025, 16(4), 315): one set-back for all corners, without regard to obstacles. Without room and
 /// context views.
-Result<PlannedMotion> planPaperSmoothing(const BaselineScene& scene, const PlanParams& params,
+Result<PlannedMotion> planPaperSmoothing(const MappedScene& scene, const PlanParams& params,
                                          int seed, const JobContext& job);
 
 /// Smooths the path of an existing plan as planPaperSmoothing() does, and gives it frame times. The
 /// plan must have been made with these parameters. Errors as timeTrajectory().
-Result<PlannedMotion> smoothAsThePaper(const BaselineScene& scene, const Plan& plan,
+Result<PlannedMotion> smoothAsThePaper(const MappedScene& scene, const Plan& plan,
                                        const PlanParams& params);
 
 }  // namespace dollytrack::planning

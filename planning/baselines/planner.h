@@ -21,7 +21,7 @@ struct Planner {
 
     /// Plans a trajectory. The result depends only on scene, parameters and seed, not on the number
     /// of threads. Errors: Cancelled, and those of Pipeline::run().
-    Result<PlannedMotion> (*plan)(const BaselineScene& scene, const PlanParams& params, int seed,
+    Result<PlannedMotion> (*plan)(const MappedScene& scene, const PlanParams& params, int seed,
                                   const JobContext& job);
 };
 

@@ -61,9 +61,8 @@ void measureMotion(const PlannedMotion& motion, const std::vector<double>& lengt
     setMedianAndMax(std::move(jerks), result.jerk_median_mps3, result.jerk_max_mps3);
 }
 
-void measureCollisions(const BaselineScene& scene, const PlannedMotion& motion,
-                       const JobContext& job, std::vector<double>& lengths,
-                       PlannerMetrics& result) {
+void measureCollisions(const MappedScene& scene, const PlannedMotion& motion, const JobContext& job,
+                       std::vector<double>& lengths, PlannerMetrics& result) {
     const auto& frames = motion.trajectory.frames;
     const double radius = scene.sphere->radius();
     std::vector<double> at_frame(frames.size());
@@ -101,7 +100,7 @@ void measureCollisions(const BaselineScene& scene, const PlannedMotion& motion,
 
 }  // namespace
 
-Result<PlannerMetrics> measurePlannedMotion(const BaselineScene& scene, const PlannedMotion& motion,
+Result<PlannerMetrics> measurePlannedMotion(const MappedScene& scene, const PlannedMotion& motion,
                                             const JobContext& job) {
     PlannerMetrics result;
     result.frames = static_cast<int>(motion.trajectory.frames.size());

@@ -36,7 +36,7 @@ struct PlannerMetrics {
 };
 
 /// Measures a planner's result. Error: Cancelled.
-Result<PlannerMetrics> measurePlannedMotion(const BaselineScene& scene, const PlannedMotion& motion,
+Result<PlannerMetrics> measurePlannedMotion(const MappedScene& scene, const PlannedMotion& motion,
                                             const JobContext& job);
 
 enum class Better { Higher, Lower, Neither };

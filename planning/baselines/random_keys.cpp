@@ -76,7 +76,7 @@ Eigen::Vector3d along(const Leg& leg, double arc, double before,
 }
 
 /// A path to another random key of the room; without points if none was found.
-Leg nextLeg(const BaselineScene& scene, const PlanParams& params, int room,
+Leg nextLeg(const MappedScene& scene, const PlanParams& params, int room,
             const Eigen::Vector3d& start, const Eigen::Quaterniond& heading, Random& random,
             const JobContext& job) {
     const auto& cells = scene.sphere->cells(room);
@@ -111,7 +111,7 @@ Leg nextLeg(const BaselineScene& scene, const PlanParams& params, int room,
     return {};
 }
 
-void shake(const BaselineScene& scene, int seed, PlannedMotion& motion) {
+void shake(const MappedScene& scene, int seed, PlannedMotion& motion) {
     const Shake bumps(Random(static_cast<std::uint64_t>(seed), 999));
     for (TrajectoryFrame& frame : motion.trajectory.frames) {
         const Pose shaken = bumps.at(frame.pose, frame.time_s);
@@ -121,7 +121,7 @@ void shake(const BaselineScene& scene, int seed, PlannedMotion& motion) {
     }
 }
 
-Result<PlannedMotion> planKeys(const BaselineScene& scene, const PlanParams& params, int seed,
+Result<PlannedMotion> planKeys(const MappedScene& scene, const PlanParams& params, int seed,
                                const JobContext& job) {
     PlannedMotion motion;
     const double interval = 1.0 / params.timing.frame_rate;
@@ -170,12 +170,12 @@ Result<PlannedMotion> planKeys(const BaselineScene& scene, const PlanParams& par
 
 }  // namespace
 
-Result<PlannedMotion> planRandomKeysEasy(const BaselineScene& scene, const PlanParams& params,
+Result<PlannedMotion> planRandomKeysEasy(const MappedScene& scene, const PlanParams& params,
                                          int seed, const JobContext& job) {
     return planKeys(scene, params, seed, job);
 }
 
-Result<PlannedMotion> planRandomKeysHard(const BaselineScene& scene, const PlanParams& params,
+Result<PlannedMotion> planRandomKeysHard(const MappedScene& scene, const PlanParams& params,
                                          int seed, const JobContext& job) {
     return planKeys(scene, params, seed, job).map([&](PlannedMotion&& motion) {
         // The unshaken corners are no longer on the path.

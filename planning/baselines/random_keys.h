@@ -9,13 +9,13 @@ namespace dollytrack::planning {
 /// joined by RRT*, constant speed, roll-free headings that turn from key to key. Differences: the
 /// speed is twice the speed limit (a drone's), and all keys of a room form one trajectory. Error:
 /// Cancelled.
-Result<PlannedMotion> planRandomKeysEasy(const BaselineScene& scene, const PlanParams& params,
+Result<PlannedMotion> planRandomKeysEasy(const MappedScene& scene, const PlanParams& params,
                                          int seed, const JobContext& job);
 
 /// The same with TartanAir's shake: sinusoids on position and orientation. The publication does not
 /// say whether shaken frames are tested; here a frame stays unshaken where the camera would not
 /// fit, and moves between shaken frames are not tested. Error: Cancelled.
-Result<PlannedMotion> planRandomKeysHard(const BaselineScene& scene, const PlanParams& params,
+Result<PlannedMotion> planRandomKeysHard(const MappedScene& scene, const PlanParams& params,
                                          int seed, const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -12,7 +12,7 @@ constexpr int kRaysAround = 20'000;  // per position: 7 cm apart at 3 m
 
 }  // namespace
 
-Result<std::vector<SurfacePatch>> reachableSurface(const BaselineScene& scene, double spacing_m,
+Result<std::vector<SurfacePatch>> reachableSurface(const MappedScene& scene, double spacing_m,
                                                    const JobContext& job) {
     return reachablePatches(*scene.scene, *scene.rays,
                             evenPlaces(*scene.free_space, *scene.sphere, kPlacesAround),

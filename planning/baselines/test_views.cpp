@@ -22,7 +22,7 @@ std::vector<const Object*> targetsOf(const Scene& scene) {
 }
 
 /// Whether a ray from the position to the object's centre hits that object, within the distances.
-bool faces(const BaselineScene& scene, const Eigen::Vector3d& place, const Object& object,
+bool faces(const MappedScene& scene, const Eigen::Vector3d& place, const Object& object,
            const DistanceBand& band) {
     const Eigen::Vector3d way = object.box.center - place;
     const double distance = way.norm();
@@ -30,7 +30,7 @@ bool faces(const BaselineScene& scene, const Eigen::Vector3d& place, const Objec
     return scene.rays->cast(place, way / distance).object_id == object.id;
 }
 
-Result<PlannedMotion> viewsWithin(const BaselineScene& scene, const PlanParams& params, int seed,
+Result<PlannedMotion> viewsWithin(const MappedScene& scene, const PlanParams& params, int seed,
                                   const DistanceBand& band, const JobContext& job) {
     PlannedMotion motion;
     motion.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
@@ -65,12 +65,12 @@ Result<PlannedMotion> viewsWithin(const BaselineScene& scene, const PlanParams& 
 
 }  // namespace
 
-Result<PlannedMotion> planObjectFacing(const BaselineScene& scene, const PlanParams& params,
-                                       int seed, const JobContext& job) {
+Result<PlannedMotion> planObjectFacing(const MappedScene& scene, const PlanParams& params, int seed,
+                                       const JobContext& job) {
     return viewsWithin(scene, params, seed, {1.0, 3.0}, job);
 }
 
-Result<PlannedMotion> planCloseViews(const BaselineScene& scene, const PlanParams& params, int seed,
+Result<PlannedMotion> planCloseViews(const MappedScene& scene, const PlanParams& params, int seed,
                                      const JobContext& job) {
     return viewsWithin(scene, params, seed, {0.3, 1.0}, job);
 }

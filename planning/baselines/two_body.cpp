@@ -25,7 +25,7 @@ constexpr int kRayRows = 12;
 
 class Body {
   public:
-    Body(const BaselineScene& scene, int room, Random& random)
+    Body(const MappedScene& scene, int room, Random& random)
         : scene_(scene), room_(room), position_(randomPlace(scene, room, random)) {}
 
     void move(Random& random) {
@@ -54,7 +54,7 @@ class Body {
     [[nodiscard]] const Eigen::Vector3d& position() const { return position_; }
 
   private:
-    const BaselineScene& scene_;
+    const MappedScene& scene_;
     int room_;
     Eigen::Vector3d position_;
     Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();
@@ -66,8 +66,7 @@ struct Run {
 };
 
 /// Ends early when cancelled.
-Run simulate(const BaselineScene& scene, int room, int images, Random random,
-             const JobContext& job) {
+Run simulate(const MappedScene& scene, int room, int images, Random random, const JobContext& job) {
     Body camera(scene, room, random);
     Body target(scene, room, random);
     const auto step = [&] {
@@ -98,7 +97,7 @@ Run simulate(const BaselineScene& scene, int room, int images, Random random,
     return run;
 }
 
-bool counts(const BaselineScene& scene, const Run& run, const JobContext& job) {
+bool counts(const MappedScene& scene, const Run& run, const JobContext& job) {
     double furthest = 0.0;
     std::set<int> seen;
     const Intrinsics& k = scene.views->intrinsics();
@@ -122,7 +121,7 @@ bool counts(const BaselineScene& scene, const Run& run, const JobContext& job) {
 
 }  // namespace
 
-Result<PlannedMotion> planTwoBody(const BaselineScene& scene, const PlanParams& params, int seed,
+Result<PlannedMotion> planTwoBody(const MappedScene& scene, const PlanParams& params, int seed,
                                   const JobContext& job) {
     PlannedMotion motion;
     motion.trajectory.frame_interval_s = kStepsPerImage * kStep;

@@ -12,7 +12,7 @@ namespace dollytrack::planning {
 /// camera sphere would not fit (there: by image depth); a run that does not count is repeated up to
 /// 8 times, and the last is used; houses get one run per room; the unpublished strengths of pushes
 /// and drag are our own. InteriorNet's learned motion styles are not public. Error: Cancelled.
-Result<PlannedMotion> planTwoBody(const BaselineScene& scene, const PlanParams& params, int seed,
+Result<PlannedMotion> planTwoBody(const MappedScene& scene, const PlanParams& params, int seed,
                                   const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -8,7 +8,7 @@ namespace {
 constexpr double kSteepestUniform = 30.0 * std::numbers::pi / 180.0;
 }
 
-Result<PlannedMotion> planUniform(const BaselineScene& scene, const PlanParams& params, int seed,
+Result<PlannedMotion> planUniform(const MappedScene& scene, const PlanParams& params, int seed,
                                   const JobContext& job) {
     PlannedMotion motion;
     motion.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;

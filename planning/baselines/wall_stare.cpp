@@ -30,7 +30,7 @@ struct BareView {
     }
 };
 
-BareView lookAtWall(const BaselineScene& scene, const Eigen::Vector3d& place, double yaw) {
+BareView lookAtWall(const MappedScene& scene, const Eigen::Vector3d& place, double yaw) {
     BareView view;
     view.place = place;
     view.towards = {std::cos(yaw), std::sin(yaw), 0.0};
@@ -51,7 +51,7 @@ BareView lookAtWall(const BaselineScene& scene, const Eigen::Vector3d& place, do
 
 }  // namespace
 
-Result<PlannedMotion> planWallStare(const BaselineScene& scene, const PlanParams& params, int seed,
+Result<PlannedMotion> planWallStare(const MappedScene& scene, const PlanParams& params, int seed,
                                     const JobContext& job) {
     Random random(static_cast<std::uint64_t>(seed));
     BareView best;

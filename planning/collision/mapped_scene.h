@@ -19,7 +19,7 @@ class ViewEstimator;
 
 /// Shared input of all planners, Dollytrack's own included: one scene, its free space map and one
 /// camera. Immutable.
-struct BaselineScene {
+struct MappedScene {
     std::shared_ptr<const Scene> scene;
     PlanEdits edits;  // with object ids of this scene
     std::shared_ptr<const RayCaster> rays;

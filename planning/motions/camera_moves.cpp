@@ -160,7 +160,7 @@ std::vector<OrbitShape> orbitShapes(double radius_m, double z, double least_m) {
 
 class MoveMaker {
   public:
-    MoveMaker(const BaselineScene& scene, const PlanParams& params, const MoveRequest& request,
+    MoveMaker(const MappedScene& scene, const PlanParams& params, const MoveRequest& request,
               const JobContext& job)
         : scene_(scene), request_(request), job_(job) {
         timing_.limits = motionLimits(params.timing);
@@ -383,7 +383,7 @@ class MoveMaker {
         return fail(ErrorCode::Cancelled, "Making the camera move was cancelled.");
     }
 
-    const BaselineScene& scene_;
+    const MappedScene& scene_;
     const MoveRequest& request_;
     const JobContext& job_;
     PathTiming timing_;
@@ -395,7 +395,7 @@ class MoveMaker {
 
 }  // namespace
 
-Result<CameraMove> makeMove(const BaselineScene& scene, const PlanParams& params,
+Result<CameraMove> makeMove(const MappedScene& scene, const PlanParams& params,
                             const MoveRequest& request, const JobContext& job) {
     return MoveMaker(scene, params, request, job).make();
 }

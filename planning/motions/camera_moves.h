@@ -18,7 +18,7 @@ struct CameraMove {
 /// height and arc are adapted. Errors: Usage for a value that cannot be read, with the setting's
 /// name as `where`; BadInput if the object is unknown or there is no free space for the move;
 /// Cancelled.
-Result<CameraMove> makeMove(const BaselineScene& scene, const PlanParams& params,
+Result<CameraMove> makeMove(const MappedScene& scene, const PlanParams& params,
                             const MoveRequest& request, const JobContext& job);
 
 }  // namespace dollytrack::planning

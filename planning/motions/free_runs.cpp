@@ -48,7 +48,7 @@ void shorten(const SweptSphere& sphere, std::span<const TrajectoryFrame> frames,
 }
 
 /// The frame nearest to free space, moved there.
-std::vector<FreeRun> nearestRun(const BaselineScene& scene, std::span<const TrajectoryFrame> frames,
+std::vector<FreeRun> nearestRun(const MappedScene& scene, std::span<const TrajectoryFrame> frames,
                                 const JobContext& job) {
     const std::size_t stride = frames.size() / kFramesCompared + 1;
     std::vector<FreeRun> nearest((frames.size() + stride - 1) / stride);
@@ -90,7 +90,7 @@ FreeParts findFreeParts(const MotionCheck& check, std::span<const TrajectoryFram
     return parts;
 }
 
-std::vector<FreeRun> findRunsToKeep(const BaselineScene& scene, const MotionCheck& check,
+std::vector<FreeRun> findRunsToKeep(const MappedScene& scene, const MotionCheck& check,
                                     std::span<const TrajectoryFrame> frames, const FreeParts& parts,
                                     const JobContext& job) {
     std::vector<FreeRun> runs;

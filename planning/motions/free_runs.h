@@ -11,7 +11,7 @@
 
 namespace dollytrack::planning {
 
-struct BaselineScene;
+struct MappedScene;
 class MotionCheck;
 
 /// Which frames, and moves from a frame to the next, of one path are free.
@@ -41,7 +41,7 @@ struct FreeRun {
 /// where most of the free frames are, and those of another component that holds at least a tenth of
 /// the path. If no frame is free, the frame nearest to free space, moved there; empty if that is
 /// farther than a metre. Empty if cancelled.
-std::vector<FreeRun> findRunsToKeep(const BaselineScene& scene, const MotionCheck& check,
+std::vector<FreeRun> findRunsToKeep(const MappedScene& scene, const MotionCheck& check,
                                     std::span<const TrajectoryFrame> frames, const FreeParts& parts,
                                     const JobContext& job);
 

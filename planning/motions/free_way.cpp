@@ -58,7 +58,7 @@ struct Entry {
 
 class WaySearch {
   public:
-    WaySearch(const BaselineScene& scene, const Eigen::Vector3d& from, const WayEnd& end,
+    WaySearch(const MappedScene& scene, const Eigen::Vector3d& from, const WayEnd& end,
               std::vector<Eigen::Vector3d> along, const Grid& grid)
         : scene_(scene),
           from_(from),
@@ -176,7 +176,7 @@ class WaySearch {
         return found->second;
     }
 
-    const BaselineScene& scene_;
+    const MappedScene& scene_;
     Eigen::Vector3d from_;
     WayEnd end_;
     std::vector<Eigen::Vector3d> along_;
@@ -202,7 +202,7 @@ std::vector<Eigen::Vector3d> thinned(const std::vector<Eigen::Vector3d>& points)
 
 }  // namespace
 
-std::optional<std::vector<Eigen::Vector3d>> findFreeWay(const BaselineScene& scene,
+std::optional<std::vector<Eigen::Vector3d>> findFreeWay(const MappedScene& scene,
                                                         const Eigen::Vector3d& from,
                                                         const WayEnd& end,
                                                         const std::vector<Eigen::Vector3d>& along,

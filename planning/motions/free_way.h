@@ -9,7 +9,7 @@
 
 namespace dollytrack::planning {
 
-struct BaselineScene;
+struct MappedScene;
 
 /// If `exact`, the path ends at `position`. Otherwise it ends at a reachable free position near it;
 /// a longer path must end closer.
@@ -21,7 +21,7 @@ struct WayEnd {
 /// The collision-free polyline from a free position that stays nearest to the points `along`, by A*
 /// on a grid around `from`: it minimises the integral of a constant plus the squared distance to
 /// those points. All its moves are proven. Empty if none is found, or if cancelled.
-std::optional<std::vector<Eigen::Vector3d>> findFreeWay(const BaselineScene& scene,
+std::optional<std::vector<Eigen::Vector3d>> findFreeWay(const MappedScene& scene,
                                                         const Eigen::Vector3d& from,
                                                         const WayEnd& end,
                                                         const std::vector<Eigen::Vector3d>& along,

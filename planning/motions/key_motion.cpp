@@ -186,7 +186,7 @@ class KeyFrames {
 /// Makes the notes of the keys along a repaired motion.
 class KeyNotes {
   public:
-    KeyNotes(const BaselineScene& scene, const std::vector<MotionKey>& keys,
+    KeyNotes(const MappedScene& scene, const std::vector<MotionKey>& keys,
              const RepairedMotion& motion, double interval_s)
         : scene_(scene), check_(scene), keys_(keys), motion_(motion), interval_s_(interval_s) {}
 
@@ -286,7 +286,7 @@ class KeyNotes {
         return note + ".";
     }
 
-    const BaselineScene& scene_;
+    const MappedScene& scene_;
     MotionCheck check_;
     const std::vector<MotionKey>& keys_;
     const RepairedMotion& motion_;
@@ -307,7 +307,7 @@ Result<std::vector<double>> keyTimes(std::span<const MotionKey> keys, const Moti
     return times;
 }
 
-Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams& timing,
+Result<KeyMotion> moveThroughKeys(const MappedScene& scene, const TimingParams& timing,
                                   const std::vector<MotionKey>& keys, const JobContext& job) {
     PathTiming of_path;
     of_path.limits = motionLimits(timing);
@@ -360,7 +360,7 @@ Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams
     return best;
 }
 
-Result<std::vector<MotionKey>> withReachableTimes(const BaselineScene& scene,
+Result<std::vector<MotionKey>> withReachableTimes(const MappedScene& scene,
                                                   const TimingParams& timing,
                                                   std::vector<MotionKey> keys,
                                                   const JobContext& job) {

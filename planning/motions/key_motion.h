@@ -37,7 +37,7 @@ struct KeyMotion {
 /// reached, or its time is not kept, its note says so. Where no motion near the keys is free, the
 /// trajectory collides, and each key in collision has a note that says so. Errors: those of
 /// keyTimes(); BadInput if the way around obstacles would take more than kMostMotionFrames.
-Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams& timing,
+Result<KeyMotion> moveThroughKeys(const MappedScene& scene, const TimingParams& timing,
                                   const std::vector<MotionKey>& keys, const JobContext& job);
 
 /// The keys at the times at which the camera reaches them. Where one frame passes several keys,
@@ -48,7 +48,7 @@ std::vector<MotionKey> withReachedTimes(std::vector<MotionKey> keys,
 /// The keys with times at which the camera reaches them: the given ones, or later ones. Plans the
 /// motion until no key is late, at most ten times, because later times change the motion between
 /// the keys. Errors: those of moveThroughKeys().
-Result<std::vector<MotionKey>> withReachableTimes(const BaselineScene& scene,
+Result<std::vector<MotionKey>> withReachableTimes(const MappedScene& scene,
                                                   const TimingParams& timing,
                                                   std::vector<MotionKey> keys,
                                                   const JobContext& job);

@@ -19,7 +19,7 @@ constexpr double kContactMargin = 0.001;
 
 }  // namespace
 
-MotionCheck::MotionCheck(const BaselineScene& scene)
+MotionCheck::MotionCheck(const MappedScene& scene)
     : scene_(scene),
       touching_(*scene.rays, *scene.free_space, scene.sphere->radius() - kContactMargin,
                 scene.region.get()) {}
@@ -48,7 +48,7 @@ int MotionCheck::componentOf(const Eigen::Vector3d& position) const {
     return -1;
 }
 
-std::string whyNotFree(const BaselineScene& scene, const Eigen::Vector3d& position) {
+std::string whyNotFree(const MappedScene& scene, const Eigen::Vector3d& position) {
     int object_id = 0;
     switch (scene.sphere->verdict(position, object_id)) {
         case Verdict::NoGo:
@@ -64,7 +64,7 @@ std::string whyNotFree(const BaselineScene& scene, const Eigen::Vector3d& positi
     }
 }
 
-std::optional<Eigen::Vector3d> nearestFree(const BaselineScene& scene,
+std::optional<Eigen::Vector3d> nearestFree(const MappedScene& scene,
                                            const Eigen::Vector3d& position) {
     std::vector<std::pair<float, const Eigen::Vector3f*>> by_distance;
     const Eigen::Vector3f from = position.cast<float>();

@@ -26,13 +26,13 @@ double angleOf(const Eigen::Vector3d& direction) {
 
 }  // namespace
 
-ObjectMoves::ObjectMoves(const BaselineScene& scene, const Object& object)
+ObjectMoves::ObjectMoves(const MappedScene& scene, const Object& object)
     : scene_(scene),
       subject_(makeSubject(*scene.views, {object.id})),
       front_(object.front),
       object_id_(object.id) {}
 
-ObjectMoves::ObjectMoves(const BaselineScene& scene, const Eigen::Vector3d& center, double reach_m)
+ObjectMoves::ObjectMoves(const MappedScene& scene, const Eigen::Vector3d& center, double reach_m)
     : scene_(scene), subject_{center, {}}, reach_m_(reach_m) {}
 
 double ObjectMoves::distanceFor(double fill) const {

@@ -15,7 +15,7 @@ struct Object;
 
 namespace dollytrack::planning {
 
-struct BaselineScene;
+struct MappedScene;
 
 /// Distances tried where an ideal one is not free, as factors of it, the best first.
 inline constexpr std::array<double, 8> kDistanceFactors = {1.0,  0.92, 1.08, 0.84,
@@ -34,10 +34,10 @@ struct Orbit {
 /// in the way. The scene must outlive this object.
 class ObjectMoves {
   public:
-    ObjectMoves(const BaselineScene& scene, const Object& object);
+    ObjectMoves(const MappedScene& scene, const Object& object);
     /// Moves around a point, from a usual distance of `reach_m`. Furniture may hide the point, but
     /// walls and other parts of the building may not.
-    ObjectMoves(const BaselineScene& scene, const Eigen::Vector3d& center, double reach_m);
+    ObjectMoves(const MappedScene& scene, const Eigen::Vector3d& center, double reach_m);
 
     /// The point to look at.
     [[nodiscard]] Eigen::Vector3d center() const { return subject_.center; }
@@ -65,7 +65,7 @@ class ObjectMoves {
                                                          double radius_m, double z) const;
     [[nodiscard]] bool isSeen(const Eigen::Vector3d& place) const;
 
-    const BaselineScene& scene_;
+    const MappedScene& scene_;
     Subject subject_;
     Eigen::Vector3d front_ = Eigen::Vector3d::UnitX();
     int object_id_ = 0;     // 0: around a point

@@ -19,7 +19,7 @@ constexpr int kTries = 4;            // of a point in a sweep, each half as far
 
 class Band {
   public:
-    Band(const BaselineScene& scene, const std::vector<Eigen::Vector3d>& targets,
+    Band(const MappedScene& scene, const std::vector<Eigen::Vector3d>& targets,
          std::vector<Eigen::Vector3d>& way)
         : scene_(scene), targets_(targets), way_(way) {
         double length = 0.0;
@@ -75,7 +75,7 @@ class Band {
         return true;
     }
 
-    const BaselineScene& scene_;
+    const MappedScene& scene_;
     const std::vector<Eigen::Vector3d>& targets_;
     std::vector<Eigen::Vector3d>& way_;
     double stiffness_;
@@ -83,7 +83,7 @@ class Band {
 
 }  // namespace
 
-void relaxWay(const BaselineScene& scene, const std::vector<Eigen::Vector3d>& targets,
+void relaxWay(const MappedScene& scene, const std::vector<Eigen::Vector3d>& targets,
               bool free_start, bool free_end, const JobContext& job,
               std::vector<Eigen::Vector3d>& way) {
     if (way.size() < 2) return;

@@ -98,7 +98,7 @@ PathTiming timingOf(const PlanParams& params, const Trajectory& given,
 
 class MotionRepair {
   public:
-    MotionRepair(const BaselineScene& scene, const PathTiming& timing, FarPath far_path)
+    MotionRepair(const MappedScene& scene, const PathTiming& timing, FarPath far_path)
         : scene_(scene), check_(scene), timing_(timing), far_path_(far_path) {}
 
     /// Adds the repaired path to the result, unless the job is cancelled. Error: BadInput.
@@ -221,7 +221,7 @@ class MotionRepair {
         result_.frames.insert(result_.frames.end(), frames.begin(), frames.end());
     }
 
-    const BaselineScene& scene_;
+    const MappedScene& scene_;
     MotionCheck check_;
     PathTiming timing_;
     FarPath far_path_;
@@ -235,7 +235,7 @@ class MotionRepair {
 
 }  // namespace
 
-Result<RepairedMotion> repairAndTime(const BaselineScene& scene, const PathTiming& timing,
+Result<RepairedMotion> repairAndTime(const MappedScene& scene, const PathTiming& timing,
                                      const Trajectory& given, const JobContext& job,
                                      FarPath far_path) {
     if (given.frames.empty()) {
@@ -264,7 +264,7 @@ Result<RepairedMotion> repairAndTime(const BaselineScene& scene, const PathTimin
     return repair.finish(given);
 }
 
-Result<RepairedMotion> repairMotion(const BaselineScene& scene, const PlanParams& params,
+Result<RepairedMotion> repairMotion(const MappedScene& scene, const PlanParams& params,
                                     const Trajectory& given, const JobContext& job) {
     return repairAndTime(scene, timingOf(params, given, pathsOf(given)), given, job);
 }

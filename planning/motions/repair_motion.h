@@ -42,7 +42,7 @@ struct RepairedMotion {
 /// are they interpolated. The accelerations of unchanged parts are those given. The result does not
 /// depend on the number of threads. Errors: BadInput if the trajectory has no frames, or a path of
 /// it is nowhere near free space; Cancelled.
-Result<RepairedMotion> repairMotion(const BaselineScene& scene, const PlanParams& params,
+Result<RepairedMotion> repairMotion(const MappedScene& scene, const PlanParams& params,
                                     const Trajectory& given, const JobContext& job);
 
 struct PathTiming;
@@ -52,7 +52,7 @@ enum class FarPath { Refuse, Keep };
 
 /// The same with this timing instead of one found from parameters and trajectory. Errors: also
 /// BadInput if the result would have more than kMostMotionFrames.
-Result<RepairedMotion> repairAndTime(const BaselineScene& scene, const PathTiming& timing,
+Result<RepairedMotion> repairAndTime(const MappedScene& scene, const PathTiming& timing,
                                      const Trajectory& given, const JobContext& job,
                                      FarPath far_path = FarPath::Refuse);
 

@@ -20,7 +20,7 @@ bool isSame(const Stretch& a, const Stretch& b) {
 /// Joins the runs of a path by free ways.
 class PathRepair {
   public:
-    PathRepair(const BaselineScene& scene, std::span<const TrajectoryFrame> frames,
+    PathRepair(const MappedScene& scene, std::span<const TrajectoryFrame> frames,
                std::vector<FreeRun> runs, const JobContext& job)
         : scene_(scene), frames_(frames), runs_(std::move(runs)), job_(job) {}
 
@@ -136,7 +136,7 @@ class PathRepair {
         return paths;
     }
 
-    const BaselineScene& scene_;
+    const MappedScene& scene_;
     std::span<const TrajectoryFrame> frames_;
     std::vector<FreeRun> runs_;
     std::vector<Stretch> stretches_;
@@ -146,7 +146,7 @@ class PathRepair {
 
 }  // namespace
 
-std::vector<std::vector<PathPoint>> repairPath(const BaselineScene& scene, const MotionCheck& check,
+std::vector<std::vector<PathPoint>> repairPath(const MappedScene& scene, const MotionCheck& check,
                                                std::span<const TrajectoryFrame> frames,
                                                const FreeParts& parts, const JobContext& job) {
     std::vector<FreeRun> runs = findRunsToKeep(scene, check, frames, parts, job);

@@ -11,7 +11,7 @@
 
 namespace dollytrack::planning {
 
-struct BaselineScene;
+struct MappedScene;
 class MotionCheck;
 struct FreeParts;
 
@@ -28,7 +28,7 @@ struct PathPoint {
 /// or through doorways, relaxed towards the given motion (see relaxWay()). A short visit behind an
 /// obstacle that would take a detour is given up. Empty if the path is nowhere near free space, or
 /// if cancelled.
-std::vector<std::vector<PathPoint>> repairPath(const BaselineScene& scene, const MotionCheck& check,
+std::vector<std::vector<PathPoint>> repairPath(const MappedScene& scene, const MotionCheck& check,
                                                std::span<const TrajectoryFrame> frames,
                                                const FreeParts& parts, const JobContext& job);
 

@@ -128,7 +128,7 @@ std::vector<PathPoint> withFrames(const std::vector<PathPoint>& points) {
 
 }  // namespace
 
-void findWay(const BaselineScene& scene, std::span<const TrajectoryFrame> frames,
+void findWay(const MappedScene& scene, std::span<const TrajectoryFrame> frames,
              const JobContext& job, Stretch& stretch) {
     const GivenStretch given(frames, stretch.first, stretch.last);
     const Polyline along = given.sampled(2.0 * kSpacing);
@@ -142,7 +142,7 @@ void findWay(const BaselineScene& scene, std::span<const TrajectoryFrame> frames
     stretch.is_detour = lengthOf(*stretch.way) > kDetour * given.length() + 1.0;
 }
 
-std::vector<PathPoint> pointsOf(const BaselineScene& scene, std::span<const TrajectoryFrame> frames,
+std::vector<PathPoint> pointsOf(const MappedScene& scene, std::span<const TrajectoryFrame> frames,
                                 const Stretch& stretch, const JobContext& job) {
     const GivenStretch given(frames, stretch.first, stretch.last);
     Polyline way = divided(*stretch.way, given);

@@ -25,12 +25,12 @@ struct Stretch {
 };
 
 /// Finds the collision-free way that stays nearest to the given motion.
-void findWay(const BaselineScene& scene, std::span<const TrajectoryFrame> frames,
+void findWay(const MappedScene& scene, std::span<const TrajectoryFrame> frames,
              const JobContext& job, Stretch& stretch);
 
 /// The points of a stretch that has a way, relaxed towards the given motion and with rounded
 /// corners; one for each frame, and more between them.
-std::vector<PathPoint> pointsOf(const BaselineScene& scene, std::span<const TrajectoryFrame> frames,
+std::vector<PathPoint> pointsOf(const MappedScene& scene, std::span<const TrajectoryFrame> frames,
                                 const Stretch& stretch, const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -50,7 +50,7 @@ PlanParams paramsForMotion(PlanParams params) {
     return params;
 }
 
-Result<FollowedMotion> followMotion(const GivenMotion& motion, const BaselineScene& scene,
+Result<FollowedMotion> followMotion(const GivenMotion& motion, const MappedScene& scene,
                                     const TimingParams& timing, const JobContext& job) {
     FollowedMotion followed;
     RepairedTrajectory& made = followed.made;

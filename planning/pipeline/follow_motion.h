@@ -11,7 +11,7 @@
 
 namespace dollytrack::planning {
 
-struct BaselineScene;
+struct MappedScene;
 
 /// The parameters without those that only affect planned trajectories: budgets, rooms=each,
 /// anchors, views of rooms, and repair.
@@ -27,7 +27,7 @@ struct FollowedMotion {
 /// moveThroughKeys()). The paths are straight lines from frame to frame; those that collide are
 /// counted. Errors: Cancelled; those of moveThroughKeys().
 [[nodiscard]] Result<FollowedMotion> followMotion(const GivenMotion& motion,
-                                                  const BaselineScene& scene,
+                                                  const MappedScene& scene,
                                                   const TimingParams& timing,
                                                   const JobContext& job);
 

@@ -406,7 +406,7 @@ Status Pipeline::Stages::PlanRun::takeMotion() {
                               asksForTrackability(params_.gaze, params_.timing)};
     const JobContext job = job_.stage(0.7, 0.92, "motion");
     return stages_.run("motion", stages_.motion, inputs, job, [&] {
-        BaselineScene map;
+        MappedScene map;
         map.scene = stages_.scene;
         map.rays = stages_.rays.share();
         map.free_space = stages_.free_space.share();

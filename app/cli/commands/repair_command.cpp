@@ -119,7 +119,7 @@ Error errorOf(const MotionFault& fault, const GivenMotion& motion, const std::st
 }
 
 Result<ImportedMotion> repairGiven(const GivenMotion& given, const OpenedScene& opened,
-                                   const planning::BaselineScene& map, const JobContext& job) {
+                                   const planning::MappedScene& map, const JobContext& job) {
     return planning::repairMotion(map, opened.params, trajectoryOf(given), job)
         .map([&](const planning::RepairedMotion& repaired) {
             return ImportedMotion{givenMotion(given.name, repaired.trajectory), repaired.change};
@@ -127,7 +127,7 @@ Result<ImportedMotion> repairGiven(const GivenMotion& given, const OpenedScene& 
 }
 
 Result<ImportedMotion> importTrajectory(const RepairArguments& arguments, const OpenedScene& opened,
-                                        const planning::BaselineScene& map, const JobContext& job) {
+                                        const planning::MappedScene& map, const JobContext& job) {
     const std::string& file = arguments.trajectory;
     const auto loaded = loadGivenTrajectory(file, arguments.reading, opened, "repair");
     if (!loaded) return tl::unexpected(loaded.error());
@@ -146,7 +146,7 @@ Result<ImportedMotion> importTrajectory(const RepairArguments& arguments, const 
 
 /// The keys as a motion, with how the camera passes them.
 Result<ImportedMotion> passKeys(GivenMotion motion, const OpenedScene& opened,
-                                const planning::BaselineScene& map, const JobContext& job) {
+                                const planning::MappedScene& map, const JobContext& job) {
     return planning::moveThroughKeys(map, opened.params.timing, motion.keys, job)
         .map([&](const planning::KeyMotion& made) {
             return ImportedMotion{std::move(motion), {}, made.passed};
@@ -155,7 +155,7 @@ Result<ImportedMotion> passKeys(GivenMotion motion, const OpenedScene& opened,
 
 /// Reads key frames. Without times in the file they follow as fast as the limits allow.
 Result<ImportedMotion> importKeys(const RepairArguments& arguments, const OpenedScene& opened,
-                                  const planning::BaselineScene& map, const JobContext& job) {
+                                  const planning::MappedScene& map, const JobContext& job) {
     const std::string& file = arguments.keys;
     const auto loaded = loadGivenTrajectory(file, arguments.reading, opened, "repair");
     if (!loaded) return tl::unexpected(loaded.error());
@@ -182,7 +182,7 @@ Result<ImportedMotion> importKeys(const RepairArguments& arguments, const Opened
 }
 
 /// Gives the keys of the project the times at which the camera reaches them.
-Result<ImportedMotion> fitKeys(const OpenedScene& opened, const planning::BaselineScene& map,
+Result<ImportedMotion> fitKeys(const OpenedScene& opened, const planning::MappedScene& map,
                                const JobContext& job) {
     GivenMotion fitted = *opened.plan_edits.motion;
     auto keys = planning::withReachableTimes(map, opened.params.timing, std::move(fitted.keys),
@@ -195,7 +195,7 @@ Result<ImportedMotion> fitKeys(const OpenedScene& opened, const planning::Baseli
 /// Takes a camera move as the whole motion or, with --append, as further keys of the project's
 /// motion.
 Result<ImportedMotion> takeMove(const RepairArguments& arguments, const Trajectory& move,
-                                const OpenedScene& opened, const planning::BaselineScene& map,
+                                const OpenedScene& opened, const planning::MappedScene& map,
                                 const JobContext& job) {
     if (!arguments.append) {
         return ImportedMotion{givenMotion(cleanText(arguments.move), move),
@@ -234,8 +234,8 @@ Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const Opened
                     "Give a --trajectory, --keys or a --move; there is no camera motion to repair "
                     "again.");
     }
-    const auto map = planning::mapBaselineScene(opened.scene, opened.plan_edits, opened.params,
-                                                job.stage(0.0, 0.3, "free space"));
+    const auto map = planning::mapScene(opened.scene, opened.plan_edits, opened.params,
+                                        job.stage(0.0, 0.3, "free space"));
     if (!map) return tl::unexpected(map.error());
     const JobContext part = job.stage(0.3, 1.0, "repairing");
     Result<ImportedMotion> made = ImportedMotion{};

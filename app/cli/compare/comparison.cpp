@@ -16,7 +16,7 @@
 namespace dollytrack::cli {
 namespace {
 
-using planning::BaselineScene;
+using planning::MappedScene;
 using planning::MetricsRow;
 using planning::PlannedMotion;
 using planning::PlannerMetrics;
@@ -28,7 +28,7 @@ double millisecondsSince(std::chrono::steady_clock::time_point begin) {
 
 class SceneComparison {
   public:
-    SceneComparison(const BaselineScene& scene, const planning::PlanParams& params)
+    SceneComparison(const MappedScene& scene, const planning::PlanParams& params)
         : scene_(scene), params_(params), best_(bestCaptures(*scene.scene, {})) {}
 
     /// Evaluates one planner. A failed seed is skipped; cancellation ends the comparison.
@@ -110,7 +110,7 @@ class SceneComparison {
             });
     }
 
-    const BaselineScene& scene_;
+    const MappedScene& scene_;
     const planning::PlanParams& params_;
     std::vector<ObjectCapture> best_;  // best captures over all trajectories
     ComparedScene result_;
@@ -130,8 +130,8 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
             "--seeds");
     }
     const auto begin = std::chrono::steady_clock::now();
-    const auto map = planning::mapBaselineScene(std::move(scene), edits, params,
-                                                job.stage(0.0, 0.1, "free space"));
+    const auto map =
+        planning::mapScene(std::move(scene), edits, params, job.stage(0.0, 0.1, "free space"));
     if (!map) return tl::unexpected(map.error());
     const double map_ms = millisecondsSince(begin);
     SceneComparison comparison(*map, params);

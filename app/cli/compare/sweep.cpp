@@ -114,7 +114,7 @@ Status Sweeper::open(const std::vector<std::string>& assignments, const JobConte
 
 Status Sweeper::map(const planning::PlanParams& params, const JobContext& job) {
     if (mapped_ && mapped_camera_ == params.camera && mapped_space_ == params.free_space) return {};
-    auto mapped = planning::mapBaselineScene(opened_->scene, opened_->plan_edits, params, job);
+    auto mapped = planning::mapScene(opened_->scene, opened_->plan_edits, params, job);
     if (!mapped) return tl::unexpected(std::move(mapped.error()));
     mapped_ = std::move(*mapped);
     mapped_camera_ = params.camera;

@@ -63,7 +63,7 @@ class Sweeper {
     std::vector<std::string> opened_with_;  // assignments that affect the import
     std::unique_ptr<planning::Pipeline> pipeline_;
     std::shared_ptr<const Plan> plan_;  // plan for the current values; null until needed
-    std::optional<planning::BaselineScene> mapped_;
+    std::optional<planning::MappedScene> mapped_;
     CameraParams mapped_camera_;
     planning::FreeSpaceParams mapped_space_;
 };

@@ -63,8 +63,8 @@ Result<PlannedScene> planWithBaseline(const std::string& name, const OpenedScene
                                       const JobContext& job) {
     const auto planner = findPlanner(name);
     if (!planner) return tl::unexpected(planner.error());
-    const auto map = planning::mapBaselineScene(opened.scene, opened.plan_edits, opened.params,
-                                                job.stage(0.0, 0.2, "free space"));
+    const auto map = planning::mapScene(opened.scene, opened.plan_edits, opened.params,
+                                        job.stage(0.0, 0.2, "free space"));
     if (!map) return tl::unexpected(map.error());
     Result<planning::PlannedMotion> motion =
         (*planner)->plan(*map, opened.params, opened.params.seed, job.stage(0.2, 0.8, "planning"));
@@ -89,8 +89,8 @@ Result<nlohmann::json> evaluateTrajectory(const OpenedScene& opened, const Traje
     if (Status status = planning::validate(opened.params); !status) {
         return tl::unexpected(std::move(status.error()));
     }
-    const auto map = planning::mapBaselineScene(opened.scene, opened.plan_edits, opened.params,
-                                                job.stage(0.0, 0.4, "free space"));
+    const auto map = planning::mapScene(opened.scene, opened.plan_edits, opened.params,
+                                        job.stage(0.0, 0.4, "free space"));
     if (!map) return tl::unexpected(map.error());
     planning::PlannedMotion motion;
     motion.trajectory = trajectory;

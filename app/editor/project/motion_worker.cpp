@@ -13,13 +13,13 @@ namespace dollytrack::editor {
 namespace {
 
 /// Uses the maps of the displayed plan, which takes no time. Without a plan, computes new ones.
-Result<planning::BaselineScene> mapOf(const PlanOutcome& shown, const JobContext& job) {
+Result<planning::MappedScene> mapOf(const PlanOutcome& shown, const JobContext& job) {
     if (shown.plan) {
-        return planning::baselineSceneOver(shown.scene, shown.edits, shown.params, shown.rays,
-                                           shown.free_space, shown.region);
+        return planning::mappedSceneOf(shown.scene, shown.edits, shown.params, shown.rays,
+                                       shown.free_space, shown.region);
     }
-    return planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
-                                      job.stage(0.0, 0.2, "free space"));
+    return planning::mapScene(shown.scene, shown.edits, shown.params,
+                              job.stage(0.0, 0.2, "free space"));
 }
 
 }  // namespace

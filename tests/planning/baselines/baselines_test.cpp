@@ -21,9 +21,8 @@ PlanParams smallBudget() {
     return params;
 }
 
-BaselineScene mapped(Scene scene) {
-    auto made =
-        mapBaselineScene(std::make_shared<const Scene>(std::move(scene)), {}, smallBudget(), {});
+MappedScene mapped(Scene scene) {
+    auto made = mapScene(std::make_shared<const Scene>(std::move(scene)), {}, smallBudget(), {});
     EXPECT_TRUE(made.has_value());
     return std::move(*made);
 }
@@ -42,7 +41,7 @@ class EveryPlanner : public testing::TestWithParam<Planner> {};
 }  // namespace
 
 TEST_P(EveryPlanner, RepeatsExactlyWithAnyNumberOfThreads) {
-    const BaselineScene scene = mapped(test::furnishedRoom());
+    const MappedScene scene = mapped(test::furnishedRoom());
     setThreadCount(1);
     const auto one = GetParam().plan(scene, smallBudget(), 7, {});
     setThreadCount(4);
@@ -55,7 +54,7 @@ TEST_P(EveryPlanner, RepeatsExactlyWithAnyNumberOfThreads) {
 // At least the camera's centre is in a room; the number of frames, the times and the orientations
 // (unit quaternions, level unless shaken) are right.
 TEST_P(EveryPlanner, KeepsToTheRoomAndTheBudget) {
-    const BaselineScene scene = mapped(test::twoRoomsWithDoor(0.9));
+    const MappedScene scene = mapped(test::twoRoomsWithDoor(0.9));
     const auto motion = GetParam().plan(scene, smallBudget(), 3, {});
     ASSERT_TRUE(motion);
     const auto& frames = motion->trajectory.frames;
@@ -72,7 +71,7 @@ TEST_P(EveryPlanner, KeepsToTheRoomAndTheBudget) {
 }
 
 TEST_P(EveryPlanner, StopsWhenCancelled) {
-    const BaselineScene scene = mapped(test::furnishedRoom());
+    const MappedScene scene = mapped(test::furnishedRoom());
     const JobContext cancelled(std::make_shared<std::atomic<bool>>(true), {});
     const auto motion = GetParam().plan(scene, smallBudget(), 1, cancelled);
     ASSERT_FALSE(motion);
@@ -87,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Baselines, EveryPlanner, testing::ValuesIn(planners()),
                          });
 
 TEST(Baselines, ASeedDecidesWhatIsRandom) {
-    const BaselineScene scene = mapped(test::furnishedRoom());
+    const MappedScene scene = mapped(test::furnishedRoom());
     for (const char* name : {"two-body", "density-walk", "random-keys", "uniform"}) {
         const Planner* planner = choosePlanners({name})->front();
         const auto a = planner->plan(scene, smallBudget(), 1, {});
@@ -98,7 +97,7 @@ TEST(Baselines, ASeedDecidesWhatIsRandom) {
 }
 
 TEST(Baselines, TheShakeMovesFramesByCentimetres) {
-    const BaselineScene scene = mapped(test::furnishedRoom());
+    const MappedScene scene = mapped(test::furnishedRoom());
     const auto easy = choosePlanners({"random-keys"})->front()->plan(scene, smallBudget(), 4, {});
     const auto hard =
         choosePlanners({"random-keys-hard"})->front()->plan(scene, smallBudget(), 4, {});
@@ -123,7 +122,7 @@ TEST(Baselines, FramesAreSharedByVolume) {
     builder.room({3.2, 0, 0}, {6.2, 3, 2.5});
     builder.object("box a").box({1.5, 1.5, 0.2}, {0.4, 0.4, 0.4});
     builder.object("box b").box({4.7, 1.5, 0.2}, {0.4, 0.4, 0.4});
-    const BaselineScene scene = mapped(builder.build());
+    const MappedScene scene = mapped(builder.build());
     ASSERT_EQ(scene.free_space->rooms().size(), 2U);
     const std::vector<int> shares = shareByRoom(scene, 41, 1);
     EXPECT_EQ(shares[0] + shares[1], 41);

@@ -21,8 +21,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-BaselineScene mapped(Scene scene) {
-    auto made = mapBaselineScene(std::make_shared<const Scene>(std::move(scene)), {}, {}, {});
+MappedScene mapped(Scene scene) {
+    auto made = mapScene(std::make_shared<const Scene>(std::move(scene)), {}, {}, {});
     EXPECT_TRUE(made.has_value());
     return std::move(*made);
 }
@@ -47,7 +47,7 @@ PlannedMotion through(const std::vector<Vector3d>& places) {
     return motion;
 }
 
-PlannerMetrics measured(const BaselineScene& scene, const PlannedMotion& motion) {
+PlannerMetrics measured(const MappedScene& scene, const PlannedMotion& motion) {
     const auto result = measurePlannedMotion(scene, motion, {});
     EXPECT_TRUE(result.has_value());
     return result.value_or(PlannerMetrics{});
@@ -57,7 +57,7 @@ PlannerMetrics measured(const BaselineScene& scene, const PlannedMotion& motion)
 
 // A cord 2 mm thick lies on the path between two frames; neither frame touches it.
 TEST(PlannerMetrics, MeetsAThinCordBetweenFrames) {
-    const BaselineScene scene = mapped(roomWithCord().build());
+    const MappedScene scene = mapped(roomWithCord().build());
     const PlannerMetrics result = measured(
         scene, through({{0.5, 1.5, 2.0}, {1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}, {3.4, 1.5, 2.0}}));
     EXPECT_EQ(result.frame_collision_rate, 0.0);
@@ -68,7 +68,7 @@ TEST(PlannerMetrics, MeetsAThinCordBetweenFrames) {
 
 // The path that a planner gives is measured, not the straight line.
 TEST(PlannerMetrics, FollowsTheWayBetweenFrames) {
-    const BaselineScene scene = mapped(roomWithCord().build());
+    const MappedScene scene = mapped(roomWithCord().build());
     PlannedMotion motion = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
     motion.between = {{{1.5, 0.5, 2.0}, {2.5, 0.5, 2.0}}};
     const PlannerMetrics result = measured(scene, motion);
@@ -82,7 +82,7 @@ TEST(PlannerMetrics, FollowsTheWayBetweenFrames) {
 // From the smallest coordinate that a file may hold to the largest, through the room: 10^8 steps of
 // 2 cm.
 TEST(PlannerMetrics, AWayFromVeryFarMeetsTheRoomAndEnds) {
-    const BaselineScene scene = mapped(roomWithCord().build());
+    const MappedScene scene = mapped(roomWithCord().build());
     const PlannerMetrics result =
         measured(scene, through({{-1e6, 1.5, 2.0}, {1e6, 1.5, 2.0}, {1e6, 9e5, 2.0}}));
     ASSERT_TRUE(result.move_collision_rate);
@@ -92,7 +92,7 @@ TEST(PlannerMetrics, AWayFromVeryFarMeetsTheRoomAndEnds) {
 }
 
 TEST(PlannerMetrics, AFrameInAWallCollidesAndIsOutside) {
-    const BaselineScene scene = mapped(roomWithCord().build());
+    const MappedScene scene = mapped(roomWithCord().build());
     const PlannerMetrics result = measured(
         scene, through({{0.5, 1.5, 1.3}, {0.05, 1.5, 1.3}, {-1.0, 1.5, 1.3}, {0.5, 1.0, 1.3}}));
     EXPECT_EQ(result.frame_collision_rate, 0.25);  // 5 cm from the wall
@@ -102,7 +102,7 @@ TEST(PlannerMetrics, AFrameInAWallCollidesAndIsOutside) {
 
 // x = t^3 / 10: the third derivative is 0.6 everywhere, and finite differences of it are exact.
 TEST(PlannerMetrics, JerkIsTheThirdDerivative) {
-    const BaselineScene scene = mapped(roomWithCord().build());
+    const MappedScene scene = mapped(roomWithCord().build());
     std::vector<Vector3d> places;
     for (int t = 0; t < 4; ++t) places.emplace_back(0.3 + 0.1 * t * t * t, 0.5, 1.0);
     const PlannerMetrics result = measured(scene, through(places));
@@ -114,7 +114,7 @@ TEST(PlannerMetrics, JerkIsTheThirdDerivative) {
 }
 
 TEST(PlannerMetrics, TurnsAreInDegreesASecond) {
-    const BaselineScene scene = mapped(roomWithCord().build());
+    const MappedScene scene = mapped(roomWithCord().build());
     PlannedMotion motion = through({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
     auto& frames = motion.trajectory.frames;
     frames[1].pose = lookAt({1, 1, 1}, {2, 2, 1});
@@ -128,7 +128,7 @@ TEST(PlannerMetrics, TurnsAreInDegreesASecond) {
 
 // Frames without a motion between them have no speed, no length and no collisions in between.
 TEST(PlannerMetrics, ViewsWithoutMotionHaveNoMotionMetrics) {
-    const BaselineScene scene = mapped(roomWithCord().build());
+    const MappedScene scene = mapped(roomWithCord().build());
     PlannedMotion motion = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
     motion.trajectory.frames[1].path = 1;
     const PlannerMetrics result = measured(scene, motion);
@@ -137,7 +137,7 @@ TEST(PlannerMetrics, ViewsWithoutMotionHaveNoMotionMetrics) {
 }
 
 TEST(PlannerMetrics, AnEmptyFlightCapturesNothing) {
-    const BaselineScene scene = mapped(test::furnishedRoom());
+    const MappedScene scene = mapped(test::furnishedRoom());
     const PlannerMetrics result = measured(scene, {});
     EXPECT_EQ(result.frames, 0);
     EXPECT_EQ(result.captures.capture_rate, 0.0);
@@ -153,7 +153,7 @@ TEST(PlannerMetrics, AgreesWithThePipeline) {
     Pipeline pipeline(scene);
     const auto plan = pipeline.run(params, JobContext{});
     ASSERT_TRUE(plan);
-    const BaselineScene map = mapped(*scene);
+    const MappedScene map = mapped(*scene);
     const PlannerMetrics result = measured(map, plannedMotionOf(**plan));
     const CaptureMetrics& captures = (*plan)->capture_metrics;
     const TrajectoryMetrics& motion = (*plan)->trajectory_metrics;
@@ -180,7 +180,7 @@ TEST(BlindSmoothing, CutsTheCornerAndIsCounted) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 4, 2.6});
     builder.object("pillar").box({2.2, 1.8, 1.3}, {0.1, 0.1, 2.6});
-    const BaselineScene scene = mapped(builder.build());
+    const MappedScene scene = mapped(builder.build());
     const PlanningEnvironment environment{*scene.views, *scene.free_space, *scene.sphere};
     CameraPath path;
     for (const Vector3d& place :

@@ -25,25 +25,25 @@ Scene roomWithStool() {
     return builder.build();
 }
 
-BaselineScene mapped(Scene scene) {
-    auto made = mapBaselineScene(std::make_shared<const Scene>(std::move(scene)), {}, {}, {});
+MappedScene mapped(Scene scene) {
+    auto made = mapScene(std::make_shared<const Scene>(std::move(scene)), {}, {}, {});
     EXPECT_TRUE(made.has_value());
     return std::move(*made);
 }
 
-Result<CameraMove> made(const BaselineScene& scene, const std::string& text) {
+Result<CameraMove> made(const MappedScene& scene, const std::string& text) {
     return parseMove(text).and_then(
         [&](const MoveRequest& request) { return makeMove(scene, {}, request, {}); });
 }
 
-ErrorCode codeOf(const BaselineScene& scene, const std::string& text) {
+ErrorCode codeOf(const MappedScene& scene, const std::string& text) {
     const auto result = made(scene, text);
     EXPECT_FALSE(result.has_value()) << text;
     return result ? ErrorCode::Failed : result.error().code;
 }
 
 /// Checks what holds for every move: free, within the limits, from rest to rest.
-void expectSound(const BaselineScene& scene, const Trajectory& trajectory) {
+void expectSound(const MappedScene& scene, const Trajectory& trajectory) {
     const auto& frames = trajectory.frames;
     ASSERT_GT(frames.size(), 10U);
     const test_support::SlowChecker checker(*scene.scene);
@@ -75,7 +75,7 @@ double largestMiss(const Trajectory& trajectory, const Vector3d& point) {
 }  // namespace
 
 TEST(CameraMoves, OrbitsAroundAnObject) {
-    const BaselineScene scene = mapped(roomWithStool());
+    const MappedScene scene = mapped(roomWithStool());
     const auto move = made(scene, "orbit:target=stool,radius=1.5,height=1");
     ASSERT_TRUE(move) << describe(move.error());
     expectSound(scene, move->trajectory);
@@ -91,7 +91,7 @@ TEST(CameraMoves, OrbitsAroundAnObject) {
 }
 
 TEST(CameraMoves, MakesEveryKindWithDefaults) {
-    const BaselineScene scene = mapped(roomWithStool());
+    const MappedScene scene = mapped(roomWithStool());
     for (const char* text : {"orbit:target=stool", "arc:target=stool", "dolly:target=stool",
                              "crane:target=stool,radius=1.2", "dolly:from=1;1;1,to=1;5;1",
                              "walk:from=1;3;1.2,to=5;3;1.2", "arc:target=st*,arc=45,time=20",
@@ -112,7 +112,7 @@ TEST(CameraMoves, AnOrbitAvoidsObstaclesByItsRadiusAndHeight) {
     builder.object("stool").box({3.0, 3.0, 0.3}, {0.4, 0.4, 0.6});
     builder.object("shelf").box({3.0, 4.6, 1.3}, {3.0, 0.4, 2.6});
     builder.object("cupboard").box({3.0, 1.4, 1.3}, {3.0, 0.4, 2.6});
-    const BaselineScene scene = mapped(builder.build());
+    const MappedScene scene = mapped(builder.build());
     const auto move = made(scene, "orbit:target=stool,radius=2,height=1");
     ASSERT_TRUE(move) << describe(move.error());
     expectSound(scene, move->trajectory);
@@ -132,7 +132,7 @@ TEST(CameraMoves, AnOrbitAvoidsObstaclesByItsRadiusAndHeight) {
 }
 
 TEST(CameraMoves, WalksAcrossTheOnlyRoom) {
-    const BaselineScene scene = mapped(roomWithStool());
+    const MappedScene scene = mapped(roomWithStool());
     const auto move = made(scene, "walk");
     ASSERT_TRUE(move) << describe(move.error());
     const auto& frames = move->trajectory.frames;
@@ -157,7 +157,7 @@ TEST(CameraMoves, TheTextOfARequestIsReadBack) {
 }
 
 TEST(CameraMoves, WalksThroughTheDoor) {
-    const BaselineScene scene = mapped(test::twoRoomsWithDoor(0.9));
+    const MappedScene scene = mapped(test::twoRoomsWithDoor(0.9));
     const auto move = made(scene, "walk");
     ASSERT_TRUE(move) << describe(move.error());
     expectSound(scene, move->trajectory);
@@ -166,7 +166,7 @@ TEST(CameraMoves, WalksThroughTheDoor) {
 }
 
 TEST(CameraMoves, RefusesWhatIsImpossible) {
-    const BaselineScene scene = mapped(roomWithStool());
+    const MappedScene scene = mapped(roomWithStool());
     EXPECT_EQ(codeOf(scene, "orbitt:target=stool"), ErrorCode::Usage);
     EXPECT_EQ(codeOf(scene, "orbit:targets=stool"), ErrorCode::Usage);
     EXPECT_EQ(codeOf(scene, "orbit:target=stool,radius=wide"), ErrorCode::Usage);

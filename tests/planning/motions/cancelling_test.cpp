@@ -70,12 +70,12 @@ Status statusOf(const Result<Value>& result) {
 }
 
 /// A room with a stool in the middle, and a wall that the line beside it hits.
-BaselineScene room() {
+MappedScene room() {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {6, 6, 2.6});
     builder.object("stool").box({3.0, 3.0, 0.3}, {0.4, 0.4, 0.6});
     builder.object("cupboard").box({3.0, 0.5, 1.3}, {2.0, 1.0, 2.6});
-    auto made = mapBaselineScene(std::make_shared<const Scene>(builder.build()), {}, {}, {});
+    auto made = mapScene(std::make_shared<const Scene>(builder.build()), {}, {}, {});
     return std::move(made.value());  // throws if there is none
 }
 
@@ -96,14 +96,14 @@ Trajectory brokenLine() {
 }  // namespace
 
 TEST(Cancelling, ARepairStopsAtEveryReport) {
-    const BaselineScene scene = room();
+    const MappedScene scene = room();
     const Trajectory given = brokenLine();
     expectCancels(
         [&](const JobContext& job) { return statusOf(repairMotion(scene, {}, given, job)); });
 }
 
 TEST(Cancelling, EveryCameraMoveStopsAtEveryReport) {
-    const BaselineScene scene = room();
+    const MappedScene scene = room();
     for (const char* text : {"orbit:target=stool,radius=1.5", "crane:target=stool,radius=1.2",
                              "dolly:target=stool", "walk:from=1;5;1.2,to=5;5;1.2"}) {
         SCOPED_TRACE(text);
@@ -115,8 +115,7 @@ TEST(Cancelling, EveryCameraMoveStopsAtEveryReport) {
 }
 
 TEST(Cancelling, AWalkThroughDoorwaysStopsBeforeItLooksForRooms) {
-    auto made =
-        mapBaselineScene(std::make_shared<const Scene>(test::twoRoomsWithDoor(0.9)), {}, {}, {});
+    auto made = mapScene(std::make_shared<const Scene>(test::twoRoomsWithDoor(0.9)), {}, {}, {});
     ASSERT_TRUE(made);
     CancelledJob stopped(1);
     const auto walk = makeMove(*made, {}, *parseMove("walk"), stopped.job());
@@ -126,7 +125,7 @@ TEST(Cancelling, AWalkThroughDoorwaysStopsBeforeItLooksForRooms) {
 }
 
 TEST(Cancelling, AFollowedMotionStopsAtEveryReport) {
-    const BaselineScene scene = room();
+    const MappedScene scene = room();
     const GivenMotion frames = givenMotion("line", brokenLine());
     GivenMotion through_keys;
     through_keys.keys = {{0.0, lookAt({1.0, 5.0, 1.2}, {3.0, 3.0, 0.3})},
@@ -139,7 +138,7 @@ TEST(Cancelling, AFollowedMotionStopsAtEveryReport) {
 
 // Checking a motion and timing a path return nothing when they were cancelled.
 TEST(Cancelling, ChecksAndTimesAreNotComputed) {
-    const BaselineScene scene = room();
+    const MappedScene scene = room();
     const Trajectory given = brokenLine();
     const std::span<const TrajectoryFrame> frames(given.frames.data(), 100);
     const MotionCheck check(scene);

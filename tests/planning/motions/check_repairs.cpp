@@ -44,7 +44,7 @@ Trajectory shaken(Trajectory trajectory, double amplitude_m, int seed) {
 }
 
 /// A straight line at constant speed between two random free positions, looking along it.
-Trajectory straightLine(const BaselineScene& scene, double speed_mps, double interval_s, int seed) {
+Trajectory straightLine(const MappedScene& scene, double speed_mps, double interval_s, int seed) {
     Random random(static_cast<std::uint64_t>(seed), 78);
     Trajectory trajectory;
     trajectory.frame_interval_s = interval_s;
@@ -70,7 +70,7 @@ struct Tally {
 };
 
 /// Share of the given length that is free.
-double freeShare(const BaselineScene& scene, const Trajectory& given) {
+double freeShare(const MappedScene& scene, const Trajectory& given) {
     double all = 0.0, free = 0.0;
     for (std::size_t i = 0; i + 1 < given.frames.size(); ++i) {
         if (given.frames[i].path != given.frames[i + 1].path) continue;
@@ -82,7 +82,7 @@ double freeShare(const BaselineScene& scene, const Trajectory& given) {
     return all > 0.0 ? free / all : 1.0;
 }
 
-void check(const BaselineScene& scene, const PlanParams& params, const Trajectory& given,
+void check(const MappedScene& scene, const PlanParams& params, const Trajectory& given,
            const std::string& name, Tally& tally) {
     const auto start = Clock::now();
     const auto repaired = repairMotion(scene, params, given, {});
@@ -139,8 +139,7 @@ bool checkScene(const std::string& path, Tally& tally) {
         return false;
     }
     PlanParams params;
-    const auto scene =
-        mapBaselineScene(std::make_shared<const Scene>(std::move(*loaded)), {}, params, {});
+    const auto scene = mapScene(std::make_shared<const Scene>(std::move(*loaded)), {}, params, {});
     if (!scene) return false;
     const std::string name = scene->scene->name;
     int seed = 1;

@@ -28,8 +28,8 @@ using Eigen::Vector3d;
 constexpr double kRadius = 0.1;
 constexpr double kInterval_s = 0.1;
 
-BaselineScene mapped(Scene scene) {
-    auto made = mapBaselineScene(std::make_shared<const Scene>(std::move(scene)), {}, {}, {});
+MappedScene mapped(Scene scene) {
+    auto made = mapScene(std::make_shared<const Scene>(std::move(scene)), {}, {}, {});
     EXPECT_TRUE(made.has_value());
     return std::move(*made);
 }
@@ -53,7 +53,7 @@ std::vector<MotionKey> slowKeys() {
             key(17.0, {5.2, 1.5, 1.6}, {3.0, 4.0, 1.2})};
 }
 
-KeyMotion moved(const BaselineScene& scene, const std::vector<MotionKey>& keys,
+KeyMotion moved(const MappedScene& scene, const std::vector<MotionKey>& keys,
                 const TimingParams& timing = {}) {
     auto made = moveThroughKeys(scene, timing, keys, {});
     EXPECT_TRUE(made.has_value()) << describe(made.error());
@@ -126,7 +126,7 @@ void expectWithinLimits(const Trajectory& trajectory, const TimingParams& timing
 }  // namespace
 
 TEST(KeyMotion, PassesEveryKeyExactlyAtItsTime) {
-    const BaselineScene scene = mapped(roomWithPillar());
+    const MappedScene scene = mapped(roomWithPillar());
     const std::vector<MotionKey> keys = slowKeys();
     const KeyMotion made = moved(scene, keys);
     ASSERT_EQ(made.passed.size(), keys.size());
@@ -179,7 +179,7 @@ TEST(KeyMotion, RetimingAKeyKeepsThePath) {
 }
 
 TEST(KeyMotion, TakesTheTimeThatTheLimitsNeedAndSaysSo) {
-    const BaselineScene scene = mapped(roomWithPillar());
+    const MappedScene scene = mapped(roomWithPillar());
     std::vector<MotionKey> keys = slowKeys();
     keys[1].time_s = 1.0;
     for (const MotionPreset preset : {MotionPreset::Easy, MotionPreset::Medium}) {
@@ -203,7 +203,7 @@ TEST(KeyMotion, TakesTheTimeThatTheLimitsNeedAndSaysSo) {
 }
 
 TEST(KeyMotion, AvoidsAnObstacleBetweenKeys) {
-    const BaselineScene scene = mapped(roomWithPillar());
+    const MappedScene scene = mapped(roomWithPillar());
     const std::vector<MotionKey> keys = {key(0.0, {1.0, 2.0, 1.3}, {6.0, 2.0, 1.3}),
                                          key(30.0, {5.0, 2.0, 1.3}, {6.0, 2.0, 1.3})};
     const KeyMotion made = moved(scene, keys);
@@ -214,7 +214,7 @@ TEST(KeyMotion, AvoidsAnObstacleBetweenKeys) {
 }
 
 TEST(KeyMotion, SaysWhichKeyIsInAnObstacle) {
-    const BaselineScene scene = mapped(roomWithPillar());
+    const MappedScene scene = mapped(roomWithPillar());
     std::vector<MotionKey> keys = slowKeys();
     keys[2].pose = lookAt({3.0, 1.45, 1.3}, {3.0, 4.0, 1.0});  // 5 cm in front of the pillar
     const KeyMotion made = moved(scene, keys);
@@ -228,7 +228,7 @@ TEST(KeyMotion, SaysWhichKeyIsInAnObstacle) {
 }
 
 TEST(KeyMotion, AKeyOutsideIsShownAndNamed) {
-    const BaselineScene scene = mapped(roomWithPillar());
+    const MappedScene scene = mapped(roomWithPillar());
     const KeyMotion one = moved(scene, {key(0.0, {-5.0, -5.0, 8.0}, {3.0, 2.0, 1.0})});
     ASSERT_EQ(one.trajectory.frames.size(), 1U);
     EXPECT_EQ(one.passed[0].note.find("Key 1 is outside the rooms: the camera passes there; move "
@@ -274,7 +274,7 @@ TEST(KeyMotion, SaysWhichFreeKeyIsNotReached) {
 }
 
 TEST(KeyMotion, RoundingToFramesIsNoDelay) {
-    const BaselineScene scene = mapped(roomWithPillar());
+    const MappedScene scene = mapped(roomWithPillar());
     const KeyMotion made = moved(scene, {key(0.0, {1.0, 0.6, 1.2}, {1.0, 4.0, 1.0}),
                                          key(1.04, {1.02, 0.6, 1.2}, {1.02, 4.0, 1.0}),
                                          key(3.06, {1.06, 0.6, 1.2}, {1.06, 4.0, 1.0})});
@@ -300,7 +300,7 @@ TEST(KeyMotion, ReachedTimesRise) {
 
 // Around a pillar, all keys much too early: the times that are found are kept in a plan of them.
 TEST(KeyMotion, ReachableTimesAreReached) {
-    const BaselineScene scene = mapped(roomWithPillar());
+    const MappedScene scene = mapped(roomWithPillar());
     std::vector<MotionKey> keys = {
         key(0.0, {1.0, 2.0, 1.3}, {3.0, 2.0, 1.3}), key(0.5, {5.0, 2.0, 1.3}, {3.0, 2.0, 1.3}),
         key(1.0, {3.0, 0.6, 1.3}, {3.0, 2.0, 1.3}), key(1.2, {3.0, 3.4, 1.3}, {3.0, 2.0, 1.3}),
@@ -322,7 +322,7 @@ TEST(KeyMotion, ReachableTimesAreReached) {
 }
 
 TEST(KeyMotion, KeysAlongATrajectoryFollowTheOthers) {
-    const BaselineScene scene = mapped(roomWithPillar());
+    const MappedScene scene = mapped(roomWithPillar());
     const std::vector<MotionKey> keys = slowKeys();
     const Trajectory along = moved(scene, keys).trajectory;
     const auto longer = withKeysAlong(keys, along, {}, {});
@@ -344,7 +344,7 @@ TEST(KeyMotion, KeysAlongATrajectoryFollowTheOthers) {
 TEST(KeyMotion, KeepsLimitsForAwkwardKeys) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {6, 4, 2.6});
-    const BaselineScene scene = mapped(builder.build());
+    const MappedScene scene = mapped(builder.build());
     const Vector3d a(1.0, 1.0, 1.3);
     const Vector3d b(4.0, 1.2, 1.3);
     MotionKey rolled = key(30.0, b, {6.0, 3.0, 0.5});
@@ -369,7 +369,7 @@ TEST(KeyMotion, KeepsLimitsForAwkwardKeys) {
 }
 
 TEST(KeyMotion, RepeatsExactlyWithAnyNumberOfThreads) {
-    const BaselineScene scene = mapped(roomWithPillar());
+    const MappedScene scene = mapped(roomWithPillar());
     std::vector<MotionKey> keys = slowKeys();
     keys[1].time_s = 1.0;
     keys[2].pose.position = {3.0, 1.45, 1.3};
@@ -385,7 +385,7 @@ TEST(KeyMotion, RepeatsExactlyWithAnyNumberOfThreads) {
 }
 
 TEST(KeyMotion, TooManyFramesAreRefused) {
-    const BaselineScene scene = mapped(roomWithPillar());
+    const MappedScene scene = mapped(roomWithPillar());
     std::vector<MotionKey> keys = slowKeys();
     keys.back().time_s = 1e6;
     EXPECT_FALSE(moveThroughKeys(scene, {}, keys, {}));

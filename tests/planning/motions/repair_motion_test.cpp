@@ -23,8 +23,8 @@ using Eigen::Vector3d;
 
 constexpr double kRadius = 0.1;
 
-BaselineScene mapped(Scene scene, const PlanEdits& edits = {}) {
-    auto made = mapBaselineScene(std::make_shared<const Scene>(std::move(scene)), edits, {}, {});
+MappedScene mapped(Scene scene, const PlanEdits& edits = {}) {
+    auto made = mapScene(std::make_shared<const Scene>(std::move(scene)), edits, {}, {});
     EXPECT_TRUE(made.has_value());
     return std::move(*made);
 }
@@ -60,7 +60,7 @@ Trajectory line(const Vector3d& from, const Vector3d& to, double speed_mps,
     return trajectory;
 }
 
-RepairedMotion repaired(const BaselineScene& scene, const Trajectory& given,
+RepairedMotion repaired(const MappedScene& scene, const Trajectory& given,
                         const PlanParams& params = {}) {
     auto result = repairMotion(scene, params, given, {});
     EXPECT_TRUE(result.has_value()) << describe(result.error());
@@ -113,8 +113,8 @@ TEST(RepairMotion, GivesTheSameOverThePipelinesMaps) {
     const auto scene = std::make_shared<const Scene>(roomWithCupboard());
     Pipeline pipeline(scene);
     ASSERT_TRUE(pipeline.run({}, {}));
-    const BaselineScene over =
-        baselineSceneOver(scene, {}, {}, pipeline.rays(), pipeline.freeSpace(), pipeline.region());
+    const MappedScene over =
+        mappedSceneOf(scene, {}, {}, pipeline.rays(), pipeline.freeSpace(), pipeline.region());
     EXPECT_EQ(over.free_space, pipeline.freeSpace());
     const Trajectory given = line({0.5, 0.5, 1.5}, {5.5, 0.5, 1.5}, 0.5);
     const RepairedMotion expected = repaired(mapped(roomWithCupboard()), given);
@@ -129,7 +129,7 @@ TEST(RepairMotion, GivesTheSameOverThePipelinesMaps) {
 
 // The camera passes a cupboard 5 cm too near: it must keep 10 cm, and the proof's margin of 1 cm.
 TEST(RepairMotion, ShiftsByWhatIsMissing) {
-    const BaselineScene scene = mapped(roomWithCupboard());
+    const MappedScene scene = mapped(roomWithCupboard());
     const Trajectory given = line({0.5, 1.05, 1.2}, {5.5, 1.05, 1.2}, 0.4);
     const RepairedMotion result = repaired(scene, given);
     EXPECT_GT(result.change.frames_in_collision, 50);
@@ -155,7 +155,7 @@ TEST(RepairMotion, ShiftsByWhatIsMissing) {
 }
 
 TEST(RepairMotion, KeepsFreeMotionBitForBit) {
-    const BaselineScene scene = mapped(roomWithCupboard());
+    const MappedScene scene = mapped(roomWithCupboard());
     for (const double interval_s : {0.1, 2.5}) {
         const Trajectory given = line({0.5, 2.0, 1.2}, {5.5, 2.0, 1.2}, 0.4, interval_s);
         const RepairedMotion result = repaired(scene, given);
@@ -168,13 +168,13 @@ TEST(RepairMotion, KeepsFreeMotionBitForBit) {
 
 // Exactly as near to the cupboard as the camera is large: no proof with margins, but free.
 TEST(RepairMotion, KeepsMotionThatTouches) {
-    const BaselineScene scene = mapped(roomWithCupboard());
+    const MappedScene scene = mapped(roomWithCupboard());
     const Trajectory given = line({0.5, 1.1003, 1.2}, {5.5, 1.1003, 1.2}, 0.4);
     EXPECT_TRUE(isSame(repaired(scene, given).trajectory, given));
 }
 
 TEST(RepairMotion, GoesThroughTheDoor) {
-    const BaselineScene scene = mapped(test::twoRoomsWithDoor(0.9));
+    const MappedScene scene = mapped(test::twoRoomsWithDoor(0.9));
     const Trajectory given = line({0.6, 2.6, 1.2}, {5.5, 2.6, 1.2}, 0.4);
     ASSERT_GT(repairMotion(scene, {}, given, {})->change.moves_in_collision, 0);
     const RepairedMotion result = repaired(scene, given);
@@ -187,7 +187,7 @@ TEST(RepairMotion, GoesThroughTheDoor) {
 }
 
 TEST(RepairMotion, CutsAtAClosedWall) {
-    const BaselineScene scene = mapped(twoClosedRooms());
+    const MappedScene scene = mapped(twoClosedRooms());
     const Trajectory given = line({1.0, 1.5, 1.2}, {5.0, 1.5, 1.2}, 0.4);
     const RepairedMotion result = repaired(scene, given);
     EXPECT_EQ(result.change.paths_cut, 1);
@@ -201,7 +201,7 @@ TEST(RepairMotion, CutsAtAClosedWall) {
 
 // It begins inside the cupboard, nearer to its far side than to the rest of the motion.
 TEST(RepairMotion, MovesItsStartOutOfAnObstacle) {
-    const BaselineScene scene = mapped(roomWithCupboard());
+    const MappedScene scene = mapped(roomWithCupboard());
     const Trajectory given = line({2.6, 0.8, 1.2}, {5.5, 0.8, 1.2}, 0.4);
     const RepairedMotion result = repaired(scene, given);
     EXPECT_EQ(result.trajectory.frames.back().pose, given.frames.back().pose);
@@ -211,7 +211,7 @@ TEST(RepairMotion, MovesItsStartOutOfAnObstacle) {
 
 // Four times as fast as allowed.
 TEST(RepairMotion, TakesTheTimeThatTheLimitsAsk) {
-    const BaselineScene scene = mapped(roomWithCupboard());
+    const MappedScene scene = mapped(roomWithCupboard());
     const PlanParams params;
     const MotionLimits limits = motionLimits(params.timing);
     for (const double interval_s : {0.1, 0.5}) {
@@ -236,7 +236,7 @@ TEST(RepairMotion, StaysOutOfNoGoBoxes) {
     box.box.half_size = {0.5, 0.5, 1.3};
     PlanEdits edits;
     edits.no_go.push_back(box);
-    const BaselineScene scene = mapped(roomWithCupboard(), edits);
+    const MappedScene scene = mapped(roomWithCupboard(), edits);
     const Trajectory given = line({0.5, 2.2, 1.2}, {5.5, 2.2, 1.2}, 0.4);
     const RepairedMotion result = repaired(scene, given);
     EXPECT_GT(result.change.frames_moved, 0);
@@ -247,7 +247,7 @@ TEST(RepairMotion, StaysOutOfNoGoBoxes) {
 
 // Random shaken lines through a furnished room, by brute force.
 TEST(RepairMotion, NeverCollides) {
-    const BaselineScene scene = mapped(test::furnishedRoom());
+    const MappedScene scene = mapped(test::furnishedRoom());
     const test_support::SlowChecker checker(*scene.scene);
     int broken = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -266,7 +266,7 @@ TEST(RepairMotion, NeverCollides) {
 }
 
 TEST(RepairMotion, DoesNotDependOnTheThreads) {
-    const BaselineScene scene = mapped(test::furnishedRoom());
+    const MappedScene scene = mapped(test::furnishedRoom());
     const Trajectory given = shaken(line({0.5, 0.5, 1.0}, {3.5, 2.5, 1.0}, 0.3), 0.4, 3);
     setThreadCount(1);
     const RepairedMotion one = repaired(scene, given);
@@ -278,7 +278,7 @@ TEST(RepairMotion, DoesNotDependOnTheThreads) {
 }
 
 TEST(RepairMotion, SaysWhatIsWrong) {
-    const BaselineScene scene = mapped(roomWithCupboard());
+    const MappedScene scene = mapped(roomWithCupboard());
     const auto codeOf = [&](const Trajectory& given, const JobContext& job = {}) {
         const auto result = repairMotion(scene, {}, given, job);
         return result ? ErrorCode::Failed : result.error().code;
