@@ -287,6 +287,7 @@ class MoveMaker {
         const std::vector<OrbitShape> shapes = orbitShapes(radius, z, moves.distanceFor(kFull));
         Orbit best;
         double best_score = -1.0;
+        double best_radius = radius;
         for (std::size_t i = 0; i < shapes.size() && best_score < 1.0 - shapes[i].cost; ++i) {
             const double part = kPositionsFound / static_cast<double>(shapes.size());
             const double before = part * static_cast<double>(i);
@@ -296,9 +297,11 @@ class MoveMaker {
             const double score = orbit.share - shapes[i].cost;
             if (orbit.positions.empty() || score <= best_score) continue;
             best_score = score;
+            best_radius = shapes[i].radius_m;
             best = std::move(orbit);
         }
         if (best.positions.empty()) return {};
+        moves.smoothRadius(best, best_radius, job_);
         std::string changes;
         double nearest = radius;
         for (const Vector3d& position : best.positions) {

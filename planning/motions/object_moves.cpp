@@ -43,8 +43,8 @@ double ObjectMoves::distanceFor(double fill) const {
 Orbit ObjectMoves::orbit(double radius_m, double z, double arc_rad, const JobContext& job) const {
     const double arc = std::min(arc_rad, kFullCircle);
     const auto steps = static_cast<int>(std::max(2.0, std::ceil(arc * radius_m / kMoveSpacing)));
-    std::vector<Eigen::Vector3d> longest;
-    std::vector<Eigen::Vector3d> run;
+    Orbit longest;
+    Orbit run;
     // A full circle may start anywhere: a second round finds what crosses its start.
     const int rounds = arc_rad >= kFullCircle - 1e-9 ? 2 : 1;
     for (int k = 0; k <= rounds * steps; ++k) {
@@ -52,16 +52,51 @@ Orbit ObjectMoves::orbit(double radius_m, double z, double arc_rad, const JobCon
         if (job.cancelled()) return {};
         const double angle = angleOf(front_) + arc * (static_cast<double>(k) / steps - 0.5);
         const auto place = placeAt(horizontal(angle), radius_m, z);
-        const bool goes_on =
-            place && (run.empty() || scene_.sphere->segment(run.back(), *place).free);
-        if (!goes_on) run.clear();
-        if (place) run.push_back(*place);
-        if (run.size() > longest.size()) longest = run;
-        if (longest.size() > static_cast<std::size_t>(steps)) break;
+        const bool goes_on = place && (run.positions.empty() ||
+                                       scene_.sphere->segment(run.positions.back(), *place).free);
+        if (!goes_on) run = {};
+        if (place) run.positions.push_back(*place);
+        if (run.positions.size() > longest.positions.size()) longest = run;
+        if (longest.positions.size() > static_cast<std::size_t>(steps)) break;
     }
-    const double found = arc * (static_cast<double>(longest.size()) - 1.0) / steps;
-    if (found < std::min(kShortestArc, arc) - 1e-9) return {};
-    return {std::move(longest), found / arc};
+    longest.share = (static_cast<double>(longest.positions.size()) - 1.0) / steps;
+    if (arc * longest.share < std::min(kShortestArc, arc) - 1e-9) return {};
+    return longest;
+}
+
+void ObjectMoves::smoothRadius(Orbit& orbit, double radius_m, const JobContext& job) const {
+    constexpr int kSweeps = 60;
+    constexpr int kTries = 3;          // of a position in a sweep, each half as far
+    constexpr double kPull = 0.1;      // by the wanted radius; a change fades over 3 positions
+    constexpr int kPulledSweeps = 40;  // the other sweeps only smooth
+    constexpr double kSettled_m = 0.0002;
+    std::vector<Eigen::Vector3d>& way = orbit.positions;
+    const auto radiusOf = [&](std::size_t i) {
+        return (way[i] - subject_.center).head<2>().norm();
+    };
+    const auto fitsBetween = [&](std::size_t i, const Eigen::Vector3d& place) {
+        return scene_.sphere->fits(place) && isSeen(place) &&
+               scene_.sphere->segment(way[i - 1], place).free &&
+               scene_.sphere->segment(place, way[i + 1]).free;
+    };
+    for (int sweep = 0; sweep < kSweeps && !job.cancelled(); ++sweep) {
+        const double pull = sweep < kPulledSweeps ? kPull : 0.0;
+        for (std::size_t k = 1; k + 1 < way.size(); ++k) {
+            // Every other sweep runs backwards, so that changes spread in both directions.
+            const std::size_t i = sweep % 2 == 0 ? k : way.size() - 1 - k;
+            const double here = radiusOf(i);
+            const double wanted =
+                (pull * radius_m + radiusOf(i - 1) + radiusOf(i + 1)) / (pull + 2.0);
+            double change = wanted - here;
+            for (int t = 0; t < kTries && std::abs(change) > kSettled_m; ++t, change *= 0.5) {
+                const Eigen::Vector3d out = horizontal(angleOf(way[i] - subject_.center));
+                const Eigen::Vector3d place = at(out, here + change, way[i].z());
+                if (!fitsBetween(i, place)) continue;
+                way[i] = place;
+                break;
+            }
+        }
+    }
 }
 
 std::vector<Eigen::Vector3d> ObjectMoves::straight(double from_m, double from_z, double to_m,

@@ -53,6 +53,10 @@ class ObjectMoves {
     [[nodiscard]] Orbit orbit(double radius_m, double z, double arc_rad,
                               const JobContext& job) const;
 
+    /// Makes the radius of an orbit change smoothly with the angle. It is as near to `radius_m` as
+    /// obstacles allow; the ends stay where they are.
+    void smoothRadius(Orbit& orbit, double radius_m, const JobContext& job) const;
+
     /// Both ends of the straight move beside the object between two horizontal distances from its
     /// centre and two heights z, in the direction nearest to its front where the move is free and
     /// sees it; empty if there is none.

@@ -131,6 +131,23 @@ TEST(CameraMoves, AnOrbitAvoidsObstaclesByItsRadiusAndHeight) {
     EXPECT_TRUE(fits->note.empty());
 }
 
+/// Walls hold the camera back at all angles but the corners, where the wanted circle is free.
+TEST(CameraMoves, AnOrbitAlongWallsTurnsSmoothly) {
+    const MappedScene scene = mapped(roomWithStool());
+    const auto move = made(scene, "orbit:target=stool,radius=3.1,height=1");
+    ASSERT_TRUE(move.has_value());
+    expectSound(scene, move->trajectory);
+    double turned = 0.0;
+    const auto& frames = move->trajectory.frames;
+    for (std::size_t i = 2; i < frames.size(); ++i) {
+        const Vector3d before = frames[i - 1].pose.position - frames[i - 2].pose.position;
+        const Vector3d after = frames[i].pose.position - frames[i - 1].pose.position;
+        if (before.norm() > 1e-4 && after.norm() > 1e-4) turned += angleBetween(before, after);
+    }
+    EXPECT_GT(turned, 1.6 * std::numbers::pi);
+    EXPECT_LT(turned, 3.0 * std::numbers::pi);
+}
+
 TEST(CameraMoves, WalksAcrossTheOnlyRoom) {
     const MappedScene scene = mapped(roomWithStool());
     const auto move = made(scene, "walk");
