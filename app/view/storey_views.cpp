@@ -1,5 +1,7 @@
 #include "app/view/storey_views.h"
 
+#include "engine/math/quantile.h"
+
 #include <algorithm>
 
 namespace dollytrack::view {
@@ -32,9 +34,8 @@ std::vector<PageStorey> storeysFor(const Scene& scene, const RayCaster& rays,
         std::vector<double> heights =
             ceilingsAbove(scene, rays, dataset, view.floor_z, view.ceiling_z);
         if (!heights.empty()) {
-            const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-            std::nth_element(heights.begin(), middle, heights.end());
-            view.ceiling_z = std::min(view.ceiling_z, *middle - kBelowCeiling_m);
+            view.ceiling_z =
+                std::min(view.ceiling_z, upperMedian(std::move(heights)) - kBelowCeiling_m);
         }
         storeys.push_back({view, render::withinStorey(render::buildingOf(scene, {}), view)});
     }

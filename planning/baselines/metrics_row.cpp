@@ -1,4 +1,4 @@
-#include "planning/baselines/median.h"
+#include "engine/math/quantile.h"
 #include "planning/baselines/planner_metrics.h"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
+#include "engine/math/quantile.h"
 #include "engine/plan/frame_quality.h"
-#include "planning/baselines/median.h"
 #include "planning/collision/path_clearance.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"

@@ -1,6 +1,7 @@
 #include "planning/gaze/image_motion.h"
 
 #include "engine/jobs/parallel.h"
+#include "engine/math/quantile.h"
 #include "planning/timing/turn.h"
 #include "planning/visibility/view_estimator.h"
 
@@ -31,9 +32,7 @@ double medianDepth(const Pose& pose, const ViewEstimator& views) {
     for (const RayHit& hit : hits) {
         depths.push_back(hit.object_id == 0 ? kFarthest_m : std::min(hit.distance, kFarthest_m));
     }
-    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-    std::nth_element(depths.begin(), middle, depths.end());
-    return std::max(*middle, views.nearDistance());
+    return std::max(upperMedian(std::move(depths)), views.nearDistance());
 }
 
 }  // namespace

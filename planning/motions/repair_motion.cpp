@@ -1,6 +1,7 @@
 #include "planning/motions/repair_motion.h"
 
 #include "engine/document/given_motion.h"
+#include "engine/math/quantile.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/motions/free_runs.h"
@@ -51,9 +52,7 @@ double medianSpacing(const std::vector<Frames>& paths) {
         }
     }
     if (moves.empty()) return 0.0;
-    const auto middle = moves.begin() + static_cast<std::ptrdiff_t>(moves.size() / 2);
-    std::nth_element(moves.begin(), middle, moves.end());
-    return *middle;
+    return upperMedian(std::move(moves));
 }
 
 /// Whether most moves are over the limits: then all frames are timed anew.

@@ -1,5 +1,7 @@
 #include "planning/repair/low_runs.h"
 
+#include "engine/math/quantile.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -36,9 +38,7 @@ std::vector<LowRun> lowRuns(const Trajectory& trajectory, const std::vector<doub
 
 double lowThreshold(std::vector<double> scores, double share) {
     if (scores.empty()) return 0.0;
-    const auto middle = scores.begin() + static_cast<std::ptrdiff_t>(scores.size() / 2);
-    std::nth_element(scores.begin(), middle, scores.end());
-    return share * *middle;
+    return share * upperMedian(std::move(scores));
 }
 
 ScoreTally tally(const std::vector<double>& scores, double threshold) {

@@ -2,6 +2,7 @@
 
 #include "engine/core/random.h"
 #include "engine/jobs/parallel.h"
+#include "engine/math/quantile.h"
 #include "render/light/irradiance_grid.h"
 #include "render/light/lamp_light.h"
 #include "render/light/light_bounces.h"
@@ -338,11 +339,8 @@ class Baker {
         }
     }
 
-    static float median(std::vector<float> values) {
-        if (values.empty()) return 0.0F;
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::nth_element(values.begin(), middle, values.end());
-        return *middle;
+    static float medianOr0(std::vector<float> values) {
+        return values.empty() ? 0.0F : upperMedian(std::move(values));
     }
 
     /// Dims sky, sun and emission where they would drown the lamps: files give emission in any
@@ -356,8 +354,8 @@ class Baker {
             lamps.push_back(lamp);
             others.push_back(balanced_[i] * kPi / static_cast<float>(bounces_.perCell()));
         }
-        const float wanted = kDaylightShare * median(std::move(lamps));
-        const float found = median(std::move(others));
+        const float wanted = kDaylightShare * medianOr0(std::move(lamps));
+        const float found = medianOr0(std::move(others));
         if (found > wanted && wanted > 0.0F) volume_.dimmed = wanted / found;
         volume_.sun = rig_.sun;
         volume_.sun.irradiance *= volume_.dimmed;
@@ -375,7 +373,7 @@ class Baker {
         if (levels.empty()) {
             for (const Eigen::Vector3f& ambient : volume_.ambient) levels.push_back(ambient.mean());
         }
-        const float middle = median(std::move(levels));
+        const float middle = medianOr0(std::move(levels));
         if (middle > 0.0F) volume_.exposure = kWhiteLevel / middle;
         volume_.exposure *= static_cast<float>(std::exp2(rig_.exposure_ev));
     }

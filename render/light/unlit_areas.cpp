@@ -1,6 +1,7 @@
 #include "render/light/unlit_areas.h"
 
 #include "engine/jobs/parallel.h"
+#include "engine/math/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -161,12 +162,7 @@ std::vector<bool> darkOf(const std::vector<double>& light) {
     for (const double one : light) {
         if (one > 0.0) lit.push_back(one);
     }
-    double limit = 1e-9;
-    if (!lit.empty()) {
-        const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
-        std::nth_element(lit.begin(), middle, lit.end());
-        limit = kDark * *middle;
-    }
+    const double limit = lit.empty() ? 1e-9 : kDark * upperMedian(std::move(lit));
     std::vector<bool> dark;
     for (const double one : light) dark.push_back(one < limit);
     return dark;

@@ -1,5 +1,7 @@
 #include "render/pipeline/sensor_pictures.h"
 
+#include "engine/math/quantile.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -23,9 +25,7 @@ std::optional<double> focusDepthOf(const SensorParams& params, const Scene& scen
     }
     std::vector<float>& depths = of_targets.empty() ? of_all : of_targets;
     if (depths.empty()) return std::nullopt;
-    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-    std::nth_element(depths.begin(), middle, depths.end());
-    return *middle;
+    return upperMedian(std::move(depths));
 }
 
 Result<SensorPictures> SensorPictures::create(const FrameContext& context,

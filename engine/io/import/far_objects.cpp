@@ -2,6 +2,7 @@
 
 #include "engine/core/text_lists.h"
 #include "engine/io/import/redundant_parts.h"
+#include "engine/math/quantile.h"
 
 #include <fmt/format.h>
 
@@ -29,9 +30,7 @@ Eigen::Vector3d middleOf(const std::vector<Remote>& objects) {
     std::vector<double> along(objects.size());
     for (int axis = 0; axis < 3; ++axis) {
         for (std::size_t i = 0; i < objects.size(); ++i) along[i] = objects[i].box.center()[axis];
-        const auto half = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2);
-        std::nth_element(along.begin(), half, along.end());
-        middle[axis] = *half;
+        middle[axis] = upperMedian(along);
     }
     return middle;
 }

@@ -1,6 +1,7 @@
 #include "engine/io/orientation/unit_estimate.h"
 
 #include "engine/core/text_lists.h"
+#include "engine/math/quantile.h"
 #include "engine/scene/furniture_sizes.h"
 #include "engine/scene/labels.h"
 
@@ -27,12 +28,6 @@ double believable(double length, double low, double high) {
     if (!(length > 0.0)) return 0.0;
     const double off = length < low ? low / length : length > high ? length / high : 1.0;
     return 1.0 / (off * off);
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// The distances from one storey's floor to the next. Floor and ceiling of a single room are two
@@ -107,13 +102,13 @@ UnitEvidence measureForUnit(const FrameEvidence& evidence, UpAxis up, double evi
             sizes.push_back(size);
         }
         if (sizes.empty()) continue;
-        const double size = median(std::move(sizes));
+        const double size = upperMedian(std::move(sizes));
         if (size > 0.0) result.kinds.push_back({usual.nyu40, size, usual.low, usual.high});
     }
     std::vector<double> storeys = storeyHeights(evidence.levels[up.index()], result.height);
     const double gap = storeys.empty() ? 0.0 : *std::ranges::max_element(storeys);
     if (gap > kRoomShare * result.height) result.room_height = gap;
-    result.storey_height = storeys.size() < 2 ? result.height : median(std::move(storeys));
+    result.storey_height = storeys.size() < 2 ? result.height : upperMedian(std::move(storeys));
     return result;
 }
 

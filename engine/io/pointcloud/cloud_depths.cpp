@@ -1,6 +1,7 @@
 #include "engine/io/pointcloud/cloud_depths.h"
 
 #include "engine/jobs/parallel.h"
+#include "engine/math/quantile.h"
 
 #include <Eigen/Dense>
 
@@ -52,9 +53,7 @@ double stepOf(const std::vector<Pixel>& pixels) {
         gaps.push_back(gap);
     }
     if (gaps.empty() || different * kPerValue > pixels.size()) return 0.0;
-    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-    std::nth_element(gaps.begin(), middle, gaps.end());
-    return *middle;
+    return upperMedian(std::move(gaps));
 }
 
 /// A grid over the image with about one pixel per cell, for neighbour queries.

@@ -2,6 +2,7 @@
 
 #include "engine/io/pointcloud/point_grid.h"
 #include "engine/jobs/parallel.h"
+#include "engine/math/quantile.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -52,13 +53,6 @@ Plane planeAt(const PointGrid& grid, const std::vector<Eigen::Vector3d>& points,
     return plane;
 }
 
-double median(std::vector<double>& values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 std::vector<std::size_t> someOf(std::size_t count) {
     std::vector<std::size_t> some;
     for (std::size_t i = 0; i < count; i += count / kJudged + 1) some.push_back(i);
@@ -82,7 +76,8 @@ double spacingOf(const std::vector<Eigen::Vector3d>& points, double at_least) {
             std::nth_element(near.begin(), near.begin() + kFewNeighbours, near.end());
             sixths[i] = std::sqrt(near[kFewNeighbours]);
         });
-        if (const double sixth = median(sixths); std::isfinite(sixth)) return sixth / kSixth;
+        const double sixth = some.empty() ? 0.0 : upperMedian(std::move(sixths));
+        if (std::isfinite(sixth)) return sixth / kSixth;
     }
     return at_least;
 }
@@ -97,7 +92,7 @@ Scatter scatterOf(const std::vector<Eigen::Vector3d>& points, double radius) {
         parallelFor(some.size(), [&](std::size_t i) {
             sigmas[i] = planeAt(grid, points, points[some[i]], scatter.radius_m).sigma;
         });
-        scatter.sigma_m = median(sigmas);
+        scatter.sigma_m = some.empty() ? 0.0 : upperMedian(std::move(sigmas));
         if (scatter.sigma_m < kSurface * scatter.radius_m || 2.0 * scatter.radius_m > kMostRadius) {
             return scatter;
         }

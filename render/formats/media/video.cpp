@@ -1,6 +1,7 @@
 #include "render/formats/media/video.h"
 
 #include "engine/io/files/guarded_folder.h"
+#include "engine/math/quantile.h"
 #include "render/formats/media/video_encoder.h"
 #include "render/pictures/picture_file.h"
 
@@ -26,9 +27,8 @@ double rateOf(const DatasetContents& contents) {
         steps.push_back(frames[i].camera.time_s - frames[i - 1].camera.time_s);
     }
     if (steps.empty()) steps.push_back(contents.frame_interval_s);
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle > 0.0 ? std::clamp(1.0 / *middle, kSlowestVideo, kFastest) : kFastest;
+    const double step = upperMedian(std::move(steps));
+    return step > 0.0 ? std::clamp(1.0 / step, kSlowestVideo, kFastest) : kFastest;
 }
 
 Result<cv::Mat> readPicture(const GuardedFolder& folder, const std::string& file) {
