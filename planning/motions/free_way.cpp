@@ -22,6 +22,9 @@ constexpr double kLengthCost = 0.04;
 constexpr double kFar = 1.0;
 // Cost of ending a metre from the position asked for, as if that distance were walked.
 constexpr double kEndCost = 1.0;
+// A way may end near an end that is not exact. The search stops when this many nodes brought none
+// nearer: an end far outside the rooms would otherwise lead through all of them.
+constexpr std::size_t kMostWithoutGain = 30'000;
 // Spacing of the points that distances from the given motion are measured to, m.
 constexpr double kAlongSpacing = 0.1;
 // Grids tried, in cells of the free-space map, with the number of nodes after which one gives up.
@@ -88,6 +91,7 @@ class WaySearch {
             tryEnd(entry.node);
             expand(entry.node);
             if (++popped_ % 1024 == 0 && job.cancelled()) return std::nullopt;
+            if (!end_.exact && popped_ > best_at_ + kMostWithoutGain) break;
         }
         if (best_end_ < 0) return std::nullopt;
         std::vector<Eigen::Vector3d> way;
@@ -137,6 +141,7 @@ class WaySearch {
         if (end_.exact && !scene_.sphere->segment(position, end_.position).free) return;
         best_cost_ = cost;
         best_end_ = node;
+        best_at_ = popped_;
     }
 
     void expand(int from) {
@@ -190,6 +195,7 @@ class WaySearch {
     double best_cost_ = std::numeric_limits<double>::infinity();
     int best_end_ = -1;
     std::size_t popped_ = 0;
+    std::size_t best_at_ = 0;  // value of popped_ when best_end_ was found
 };
 
 std::vector<Eigen::Vector3d> thinned(const std::vector<Eigen::Vector3d>& points) {
