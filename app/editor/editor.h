@@ -178,6 +178,8 @@ class Editor {
     /// "Front Orthographic", "User Perspective" or "Camera"
     [[nodiscard]] std::string viewName() const;
     [[nodiscard]] render::View viewportView(const ui::ViewerCamera& camera) const;
+    /// Where the viewport is looked at from; also before a scene is open.
+    [[nodiscard]] Pose viewPose() const;
     /// The storeys of the shown scene. A scene must be open.
     [[nodiscard]] const std::vector<render::StoreyView>& storeys() const;
     /// Factor for widths and sizes of overlays: below 1 if the camera is far from the scene.
@@ -237,6 +239,8 @@ class Editor {
     void takeMotion();
     /// Makes the move that the form describes. Asks first if the camera path has keys or is from a
     /// file.
+    /// Removes the part of the given motion before or after the current frame.
+    void trimMotion(bool before);
     void makeMove();
     /// The text of an error that planning a camera move returned. It names settings by their labels
     /// in the form ("From height") instead of their names on the command line ("from_height").
@@ -264,6 +268,8 @@ class Editor {
     void noteRecordedKey(double time_s);
     /// Warns if the camera cannot be at the key recorded last.
     void drawKeyBar();
+    /// Says that the first key replaces the planned trajectory.
+    void drawFirstKeyBar();
     /// The states of a motion's keys, and what they were computed from.
     struct KeyStates {
         SharedMotion motion;

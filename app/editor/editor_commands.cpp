@@ -185,7 +185,7 @@ void Editor::addTargetCommands() {
 void Editor::addPointCommands() {
     commands_.add({"edit.add_point", "Edit", "Add a position point here", key(GLFW_KEY_P),
                    [this] {
-                       const Pose pose = viewportView(panels_.viewport.camera).pose;
+                       const Pose pose = viewPose();
                        apply({{"op", "add_point"},
                               {"position", ui::pointJson(pose.position)},
                               {"quaternion_xyzw", ui::turnJson(pose.rotation)}});

@@ -71,15 +71,16 @@ void Editor::addCameraKeyCommands() {
 }
 
 void Editor::goToCollision(int direction) {
-    const std::vector<int>& begins = plan_timeline_.collisions();
-    if (begins.empty()) return;
+    const std::vector<planning::CollidingFrames>& collisions = plan_timeline_.collisions();
+    if (collisions.empty()) return;
+    const auto first = &planning::CollidingFrames::first;
     // Wraps around: the first collision follows the last one.
     if (direction > 0) {
-        const auto next = std::ranges::upper_bound(begins, playback_.frame());
-        goToFrame(next == begins.end() ? begins.front() : *next);
+        const auto next = std::ranges::upper_bound(collisions, playback_.frame(), {}, first);
+        goToFrame(next == collisions.end() ? collisions.front().first : next->first);
     } else {
-        const auto next = std::ranges::lower_bound(begins, playback_.frame());
-        goToFrame(next == begins.begin() ? begins.back() : *(next - 1));
+        const auto next = std::ranges::lower_bound(collisions, playback_.frame(), {}, first);
+        goToFrame(next == collisions.begin() ? collisions.back().first : (next - 1)->first);
     }
 }
 
@@ -114,7 +115,7 @@ std::string Editor::whyNoKey() const {
 }
 
 void Editor::recordKey() {
-    const Pose view = viewportView(panels_.viewport.camera).pose;
+    const Pose view = viewPose();
     const std::vector<MotionKey>& keys = cameraKeys();
     int after = selectedKey() != nullptr ? selected_.now().index : -1;
     if (after < 0 && recorded_key_s_) {  // the playhead has not reached the latest key yet
@@ -152,7 +153,7 @@ std::string Editor::whyNoReplacing() const {
 void Editor::replaceKey() {
     if (const std::optional<std::size_t> key = keyToReplace()) {
         const double time_s = cameraKeys()[*key].time_s;
-        apply(changeOperation(*key, viewportView(panels_.viewport.camera).pose));
+        apply(changeOperation(*key, viewPose()));
         noteRecordedKey(time_s);
     }
 }
@@ -225,7 +226,11 @@ void Editor::drawKeyBar() {
     }
     const std::size_t key = recorded_key_->key;
     const auto& states = keyStates().keys;
-    if (key >= states.size() || states[key].why_blocked.empty()) return;
+    if (key >= states.size()) return;
+    if (states[key].why_blocked.empty()) {
+        drawFirstKeyBar();
+        return;
+    }
     std::vector<ui::NoteBarButton> buttons = {{"Keep", "Hide this bar; the key stays marked"},
                                               {"Remove", "Remove the key again"}};
     if (const auto& free_place = states[key].free_place) {
@@ -241,6 +246,15 @@ void Editor::drawKeyBar() {
     recorded_key_.reset();
     if (pressed == 1) apply(ui::removeCameraKeyOperation(key));
     if (pressed == 2) freeKey(key);
+}
+
+void Editor::drawFirstKeyBar() {
+    if (cameraKeys().size() != 1) return;
+    const int pressed = ui::drawNoteBar(
+        "key_first", "The camera follows keys now, not the planned path: go on and press K.",
+        {{"OK", "Hide this bar"}, {"Plan instead", "Remove the key and plan the path again"}});
+    if (pressed >= 0) recorded_key_.reset();
+    if (pressed == 1) apply({{"op", "clear_motion"}});
 }
 
 std::vector<ui::TimelineCameraKey> Editor::timelineCameraKeys() {

@@ -12,13 +12,18 @@ namespace dollytrack::editor {
 
 namespace {
 
+std::string lengthText(double length_m) {
+    return length_m < 1.0 ? fmt::format("{:.1f} cm", 100.0 * length_m)
+                          : fmt::format("{:.2f} m", length_m);
+}
+
 std::string changeText(const planning::MotionChange& change) {
     if (change.frames_moved == 0 && change.time_added_s == 0.0 && change.paths_cut == 0) {
         return "Nothing had to change.";
     }
     std::string text = fmt::format(
-        "{} frames moved, on average by {:.1f} cm, at most by {:.0f} cm and {:.0f}\u00b0",
-        change.frames_moved, 100.0 * change.mean_shift_m, 100.0 * change.largest_shift_m,
+        "{} frames moved, on average by {}, at most by {} and {:.0f}\u00b0", change.frames_moved,
+        lengthText(change.mean_shift_m), lengthText(change.largest_shift_m),
         change.largest_turn_rad * 180.0 / std::numbers::pi);
     text +=
         fmt::format("; {:.1f} m long instead of {:.1f} m", change.length_m, change.given_length_m);
@@ -27,8 +32,8 @@ std::string changeText(const planning::MotionChange& change) {
             fmt::format("; {:.1f} s longer, for the limits of motion_preset", change.time_added_s);
     }
     if (change.paths_cut > 0) {
-        text +=
-            fmt::format("; cut at {} places where no collision-free path exists", change.paths_cut);
+        text += fmt::format("; cut at {} place{} where no collision-free path exists",
+                            change.paths_cut, change.paths_cut == 1 ? "" : "s");
     }
     return text + ".";
 }
@@ -68,6 +73,18 @@ void Editor::addMotionCommands() {
          {},
          [this] { motions_.repair(workspace_.state().edits.plan.motion, workspace_.shown()); },
          needs_frames});
+    for (const bool before : {true, false}) {
+        commands_.add({before ? "edit.trim_before" : "edit.trim_after",
+                       "Camera",
+                       before ? "Remove the camera path before this frame"
+                              : "Remove the camera path after this frame",
+                       {},
+                       [this, before] { trimMotion(before); },
+                       [this, needs_motion]() -> std::string {
+                           if (std::string why = needs_motion(); !why.empty()) return why;
+                           return workspace_.planIsCurrent() ? "" : "Planning is still running.";
+                       }});
+    }
     commands_.add({"edit.clear_motion",
                    "Camera",
                    "Plan instead of following the camera path",
@@ -91,7 +108,7 @@ ui::MotionView Editor::motionView() {
     if (view.has_scene && selected_.objects().size() == 1) {
         view.move.target = shown.scene->object(selected_.objects().front()).name;
     }
-    view.move.eye = viewportView(panels_.viewport.camera).pose.position;
+    view.move.eye = viewPose().position;
     view.move.pivot = panels_.viewport.camera.pivot;
     view.key_states = keyStates().keys;
     if (selectedKey() != nullptr) view.selected_key = selected_.now().index;
@@ -135,6 +152,16 @@ void Editor::follow(const ui::MotionActions& actions) {
         }
     }
     if (actions.make) makeMove();
+}
+
+void Editor::trimMotion(bool before) {
+    if (plan() == nullptr || playback_.frame() >= frameCount()) return;
+    // Times of frames are rounded in a plan.
+    const double here_s = plan()->trajectory.frames[playback_.frame()].time_s;
+    const double rounding_s = 0.01 * plan()->trajectory.frame_interval_s;
+    const double at_s = std::max(0.0, before ? here_s - rounding_s : here_s + rounding_s);
+    apply({{"op", "trim_motion"}, {before ? "from_s" : "to_s", at_s}});
+    if (before) goToFrame(0);
 }
 
 const MotionFile* Editor::motionFile() const {

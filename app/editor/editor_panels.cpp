@@ -234,6 +234,7 @@ void Editor::drawTimeline() {
         view.times_s = &plan_timeline_.times();
         view.keys = &plan_timeline_.keys();
         view.bands = &plan_timeline_.bands();
+        view.collisions = &plan_timeline_.collisions();
         view.series = &now->series;
         view.quality = quality_.of(workspace_.shown().plan).get();
         view.earlier = plan_timeline_.measured();

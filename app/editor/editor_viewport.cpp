@@ -92,6 +92,12 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     return view;
 }
 
+Pose Editor::viewPose() const {
+    const bool through_frame = through_camera_ && playback_.frame() < frameCount();
+    return through_frame ? plan()->trajectory.frames[playback_.frame()].pose
+                         : panels_.viewport.camera.pose();
+}
+
 std::string Editor::viewName() const {
     if (through_camera_) return "Camera";
     const ui::ViewerCamera& camera = panels_.viewport.camera;

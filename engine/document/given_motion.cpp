@@ -97,6 +97,17 @@ double GivenMotion::duration_s() const {
     return frames.empty() ? 0.0 : frames.back().time_s - frames.front().time_s;
 }
 
+GivenMotion GivenMotion::between(double from_s, double to_s) const {
+    const auto trimmed = [&](auto items) {
+        std::erase_if(items,
+                      [&](const auto& item) { return item.time_s < from_s || item.time_s > to_s; });
+        const double begin_s = items.empty() ? 0.0 : items.front().time_s;
+        for (auto& item : items) item.time_s -= begin_s;
+        return items;
+    };
+    return {name, frame_interval_s, trimmed(frames), trimmed(keys)};
+}
+
 std::optional<MotionFault> findFault(const GivenMotion& motion) {
     const std::size_t count = motion.frames.size();
     if (!motion.keys.empty()) {

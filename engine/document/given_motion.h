@@ -43,6 +43,8 @@ struct GivenMotion {
 
     /// From the first to the last frame or key, s.
     [[nodiscard]] double duration_s() const;
+    /// The frames or keys between two times, both included. The times begin at 0.
+    [[nodiscard]] GivenMotion between(double from_s, double to_s) const;
 };
 
 /// Largest number of frames: a project with such a motion and its plan is still small enough to be

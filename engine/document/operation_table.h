@@ -37,6 +37,7 @@ std::string restorePoint(ProjectState&, const OperationContext&, const Operation
 std::string setStart(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setEnd(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setMotion(ProjectState&, const OperationContext&, const OperationReader&);
+std::string trimMotion(ProjectState&, const OperationContext&, const OperationReader&);
 std::string clearMotion(ProjectState&, const OperationContext&, const OperationReader&);
 std::string addCameraKey(ProjectState&, const OperationContext&, const OperationReader&);
 std::string changeCameraKey(ProjectState&, const OperationContext&, const OperationReader&);

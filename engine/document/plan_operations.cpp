@@ -232,6 +232,27 @@ std::string setMotion(ProjectState& state, const OperationContext&, const Operat
     return done;
 }
 
+std::string trimMotion(ProjectState& state, const OperationContext&,
+                       const OperationReader& fields) {
+    const SharedMotion& given = state.edits.plan.motion;
+    if (!given) fields.refuse("There is no given camera motion.");
+    double from_s = 0.0;
+    double to_s = kLastMotionTime_s;
+    if (fields.has("from_s")) from_s = fields.field("from_s").number(0.0, kLastMotionTime_s);
+    if (fields.has("to_s")) to_s = fields.field("to_s").number(0.0, kLastMotionTime_s);
+    if (!fields.good()) return {};
+    const GivenMotion trimmed = given->between(from_s, to_s);
+    if (trimmed.frames.empty() && trimmed.keys.empty()) {
+        fields.refuse(
+            fmt::format("The camera motion has no frame from {:g} to {:g} s.", from_s, to_s));
+        return {};
+    }
+    const std::string done =
+        fmt::format("Trim the camera motion to {:.1f} s", trimmed.duration_s());
+    state.edits.plan.motion = trimmed;
+    return done;
+}
+
 std::string clearMotion(ProjectState& state, const OperationContext&,
                         const OperationReader& fields) {
     SharedMotion& motion = state.edits.plan.motion;

@@ -198,8 +198,8 @@ class MoveMaker {
             if (job_.cancelled()) return cancelled();
             if (positions.empty()) {
                 return fail(ErrorCode::BadInput,
-                            fmt::format("There is no free space for this move around {}; choose "
-                                        "another radius, height or object.",
+                            fmt::format("There is no free space for this move around {}; "
+                                        "change its settings, or choose another object.",
                                         subject_name_),
                             request_.kind);
             }

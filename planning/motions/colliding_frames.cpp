@@ -6,8 +6,8 @@
 
 namespace dollytrack::planning {
 
-std::vector<int> collidingFrames(const Plan& plan) {
-    std::vector<int> begins;
+std::vector<CollidingFrames> collidingFrames(const Plan& plan) {
+    std::vector<CollidingFrames> collisions;
     const auto& frames = plan.trajectory.frames;
     bool inside = false;
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -17,16 +17,19 @@ std::vector<int> collidingFrames(const Plan& plan) {
         if (static_cast<std::size_t>(frame.path) >= plan.smooth_paths.size()) continue;
         const SmoothPath& path = plan.smooth_paths[static_cast<std::size_t>(frame.path)];
         bool collides = first && path.pieces.empty() && path.collisions > 0;
-        if (i + 1 < frames.size() && frames[i + 1].path == frame.path) {
+        const bool goes_on = i + 1 < frames.size() && frames[i + 1].path == frame.path;
+        if (goes_on) {
             const bool rests = frames[i + 1].arc_m == frame.arc_m;
             if (!path.pieces.empty()) {
                 collides = rests ? inside : path.pieces[path.pieceAt(frame.arc_m)].collides;
             }
         }
-        if (collides && !inside) begins.push_back(static_cast<int>(i));
+        const int here = static_cast<int>(i);
+        if (collides && !inside) collisions.push_back({here, here});
+        if (collides && goes_on && !path.pieces.empty()) collisions.back().last = here + 1;
         inside = collides;
     }
-    return begins;
+    return collisions;
 }
 
 }  // namespace dollytrack::planning

@@ -8,9 +8,15 @@ struct Plan;
 
 namespace dollytrack::planning {
 
-/// The first frame of each collision of a given motion, in the order of the frames. A collision is
-/// a run of consecutive colliding moves between frames, or a path that stays at one position in
-/// collision. Empty for trajectories that were planned.
-[[nodiscard]] std::vector<int> collidingFrames(const Plan& plan);
+/// Consecutive colliding moves between frames: the frame where the first begins and the frame where
+/// the last ends. The two are equal for a path that stays at one position in collision.
+struct CollidingFrames {
+    int first = 0;
+    int last = 0;
+};
+
+/// The collisions of a given motion, in the order of the frames. Empty for trajectories that were
+/// planned.
+[[nodiscard]] std::vector<CollidingFrames> collidingFrames(const Plan& plan);
 
 }  // namespace dollytrack::planning

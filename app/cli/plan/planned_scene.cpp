@@ -105,7 +105,8 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
 
 /// Where collisions begin: "; they begin at frames 3, 40, ..."; empty if that is not known.
 std::string collisionsText(const Plan& plan) {
-    const std::vector<int> begins = planning::collidingFrames(plan);
+    std::vector<int> begins;
+    for (const auto& collision : planning::collidingFrames(plan)) begins.push_back(collision.first);
     return begins.empty() ? std::string() : "; they begin at " + frameRanges(begins);
 }
 

@@ -1,6 +1,5 @@
 #include "app/editor/timeline/plan_timeline.h"
 
-#include "planning/motions/colliding_frames.h"
 #include "ui/panels/timeline/timeline_data.h"
 
 #include <utility>
@@ -21,7 +20,8 @@ bool PlanTimeline::follow(const Scene* scene, std::shared_ptr<const Plan> plan) 
             times_s_.push_back(frame.time_s);
         }
     }
-    collisions_ = seen_ != nullptr ? planning::collidingFrames(*seen_) : std::vector<int>();
+    collisions_.clear();
+    if (seen_ != nullptr) collisions_ = planning::collidingFrames(*seen_);
     keys_.clear();
     bands_.clear();
     if (seen_ != nullptr && scene != nullptr) {

@@ -3,6 +3,7 @@
 #include "engine/plan/frame_quality.h"
 #include "engine/plan/plan.h"
 #include "engine/scene/scene.h"
+#include "planning/motions/colliding_frames.h"
 #include "ui/panels/timeline/timeline_panel.h"
 
 #include <cstdint>
@@ -29,8 +30,10 @@ class PlanTimeline {
     [[nodiscard]] bool qualityPending() const { return quality_pending_; }
     [[nodiscard]] const std::vector<ui::TimelineKey>& keys() const { return keys_; }
     [[nodiscard]] const std::vector<ui::TimelineBand>& bands() const { return bands_; }
-    /// The first frame of each collision of a given motion.
-    [[nodiscard]] const std::vector<int>& collisions() const { return collisions_; }
+    /// The collisions of a given motion.
+    [[nodiscard]] const std::vector<planning::CollidingFrames>& collisions() const {
+        return collisions_;
+    }
     [[nodiscard]] const std::vector<double>& times() const { return times_s_; }
     /// Increases with every plan.
     [[nodiscard]] std::uint64_t serial() const { return serial_; }
@@ -42,7 +45,7 @@ class PlanTimeline {
     bool quality_pending_ = false;
     std::uint64_t serial_ = 0;
     std::vector<double> times_s_;  // times of the frames
-    std::vector<int> collisions_;
+    std::vector<planning::CollidingFrames> collisions_;
     std::vector<ui::TimelineKey> keys_;
     std::vector<ui::TimelineBand> bands_;
 };

@@ -47,6 +47,10 @@ class Motions(Task):
         self.assertEqual(self.editor.key("ctrl+left")["frame"], first)
         self.editor.key("ctrl+end")
         self.assertEqual(self.editor.key("ctrl+right")["frame"], first, "the first follows")
+        # The timeline shows it in red, and the export form warns of it.
+        self.assertIn("timeline.collision.0", self.editor.click("tab.timeline")["items"])
+        self.assertIn("export.doubt", self.editor.click("tab.export")["items"])
+        self.editor.click("tab.timeline")
         self.editor.reach("edits.motion.repair", "edits.boxes")
         self.editor.click("edits.motion.repair")
         self.editor.wait(lambda now: now["edits"]["motion"]["frames"] != given, "the repair")
@@ -65,6 +69,26 @@ class Motions(Task):
         state = self.editor.idle()
         self.assertNotIn("motion", state["edits"])
         self.assertEqual(state["plan"]["frames"], before["plan"]["frames"])
+
+    def test_parts_of_a_path_are_removed(self):
+        _, state = self.import_path()
+        given = state["edits"]["motion"]["frames"]
+        self.editor.key("ctrl+home")
+        for _ in range(5):
+            self.editor.key("right")
+        self.editor.run_command("remove the camera path before this frame")
+        state = self.editor.idle()
+        self.assertEqual(state["frame"], 0)
+        kept = state["edits"]["motion"]["frames"]
+        self.assertEqual([frame[1:8] for frame in kept], [frame[1:8] for frame in given[5:]])
+        self.assertEqual(kept[0][0], 0.0)
+        self.editor.run_command("remove the camera path after this frame")
+        state = self.editor.idle()
+        self.assertEqual([frame[1:8] for frame in state["edits"]["motion"]["frames"]],
+                         [given[5][1:8]])
+        self.editor.key("ctrl+z")
+        self.editor.key("ctrl+z")
+        self.assertEqual(self.editor.idle()["edits"]["motion"]["frames"], given)
 
     def test_other_axes_are_read_again(self):
         _, state = self.import_path()

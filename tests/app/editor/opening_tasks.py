@@ -26,6 +26,14 @@ class Opening(Task):
         state = self.editor.idle()
         self.assertGreater(state["plan"]["captured"], 0)
 
+    def test_a_scene_opens_whichever_panel_is_shown(self):
+        tabs = [item for item in self.start()["items"] if item.startswith("tab.")]
+        self.assertGreaterEqual(len(tabs), 6)
+        for tab in tabs:
+            self.editor.click(tab)
+            self.editor.drop(self.room)
+            self.assertEqual(self.editor.idle()["plan"]["objects"], 5, tab)
+
     def test_edits_of_missing_objects_are_reported_once(self):
         project = self.folder / "room.dolly"
         content = plan(self.room, project)

@@ -242,6 +242,27 @@ TEST(GivenMotion, OperationsSetAndClearIt) {
     EXPECT_EQ(editing.state, before);
 }
 
+TEST(GivenMotion, IsTrimmedToAPartWhoseTimesBeginAtZero) {
+    test::Editing editing;
+    EXPECT_FALSE(editing.apply({{{"op", "trim_motion"}, {"from_s", 1}}})) << "there is none";
+    ASSERT_TRUE(editing.apply(
+        {{{"op", "set_motion"},
+          {"frames",
+           {{0, 1, 1, 1, 0, 0, 0, 1}, {2, 2, 1, 1, 0, 0, 0, 1}, {5, 3, 1, 1, 0, 0, 0, 1}}}}}));
+    const auto done = editing.apply({{{"op", "trim_motion"}, {"from_s", 1}, {"to_s", 5}}});
+    ASSERT_TRUE(done) << describe(done.error());
+    EXPECT_EQ(done->front(), "Trim the camera motion to 3.0 s");
+    const auto& frames = editing.state.edits.plan.motion->frames;
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_EQ(frames[0].time_s, 0.0);
+    EXPECT_EQ(frames[0].pose.position.x(), 2.0);
+    EXPECT_EQ(frames[1].time_s, 3.0);
+    EXPECT_FALSE(editing.apply({{{"op", "trim_motion"}, {"from_s", 1}, {"to_s", 2}}}));
+    ASSERT_TRUE(editing.apply(json::array({motionOperation(someKeys(3))})));
+    ASSERT_TRUE(editing.apply({{{"op", "trim_motion"}, {"to_s", 1.5}}}));
+    EXPECT_EQ(editing.state.edits.plan.motion->keys.size(), 2U);
+}
+
 TEST(GivenMotion, IsUndoneAndSurvivesAnAutosave) {
     test::Editing editing;
     CommandStack stack(editing.state);

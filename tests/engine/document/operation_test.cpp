@@ -272,7 +272,7 @@ TEST(Operation, FindsItsObjectsInAChangedSceneOrWarns) {
 }
 
 TEST(Operation, ATableEntryHasEverything) {
-    EXPECT_EQ(listOperations().size(), 36U);
+    EXPECT_EQ(listOperations().size(), 37U);
     for (const OperationInfo& info : listOperations()) {
         EXPECT_NE(info.apply, nullptr);
         EXPECT_FALSE(info.text.empty()) << info.op;

@@ -66,9 +66,13 @@ void drawCollisions(const MotionView& view, MotionActions& actions) {
     }
     const std::vector<std::size_t> blocked = blockedKeys(view);
     if (collisions > 0) {
-        if (redLink(fmt::format("\u25cb {} of {} segments between frames collide", collisions,
-                                segments),
-                    "edits.motion.collisions", "Go to the next collision (Ctrl+Right)")) {
+        if (redLink(fmt::format("\u25cb {} move{}", collisions,
+                                collisions == 1 ? " collides" : "s collide"),
+                    "edits.motion.collisions",
+                    fmt::format(
+                        "Of {} moves between frames, {} {} with an obstacle. Click to go to the "
+                        "next collision (Ctrl+Right)",
+                        segments, collisions, collisions == 1 ? "collides" : "collide"))) {
             actions.collision = 1;
         }
         if (button("Previous collision", "edits.motion.previous_collision",

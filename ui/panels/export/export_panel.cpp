@@ -164,7 +164,10 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
     // Always one line, so that the widgets below keep their position.
     formLine("");
     const std::string note = rangeNote(view, draft);
-    if (note.empty()) {
+    if (note.empty() && !view.doubt.empty()) {
+        cutText(view.doubt, palette().warning);
+        nameItem("export.doubt");
+    } else if (note.empty()) {
         cutText(view.frame_count == 0 ? "There are no frames yet."
                                       : fmt::format("There are frames 0 to {}.", most),
                 palette().text_dim);

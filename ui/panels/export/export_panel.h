@@ -32,6 +32,7 @@ struct ExportPresetChoice {
 struct ExportView {
     std::string project;  // name of the open project; empty: none is open
     std::string why_not;  // why the project cannot be exported; empty: it can
+    std::string doubt;    // a doubt about its trajectory; empty: none
     int frame_count = 0;  // frames of its trajectory
     int current_frame = 0;
     CameraParams camera;

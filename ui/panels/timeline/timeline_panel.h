@@ -2,6 +2,7 @@
 
 #include "engine/plan/frame_quality.h"
 #include "engine/plan/frame_series.h"
+#include "planning/motions/colliding_frames.h"
 
 #include <array>
 #include <functional>
@@ -42,6 +43,7 @@ struct TimelineView {
     const std::vector<TimelineCameraKey>* camera_keys = nullptr;  // null or empty: there are none
     int selected_key = -1;                                        // index of a camera key
     const std::vector<TimelineBand>* bands = nullptr;
+    const std::vector<planning::CollidingFrames>* collisions = nullptr;  // null or empty: none
     const FrameSeries* series = nullptr;    // null or of a different length: being measured
     const FrameSeries* earlier = nullptr;   // the previous plan's, drawn until then; or null
     const FrameQuality* quality = nullptr;  // of the same frames as `series`; null: not measured

@@ -90,6 +90,23 @@ void drawKept(const TimelineView& view, const FrameAxis& axis, const Rows& rows)
     nameArea("timeline.kept", left, middle - half, right, middle + half);
 }
 
+/// Red bars below the ruler where the camera collides.
+void drawCollisions(const TimelineView& view, const FrameAxis& axis, const Rows& rows) {
+    if (view.collisions == nullptr) return;
+    const float bottom = rows.ruler + rowHeight();
+    const float top = bottom - scaled(4);
+    for (std::size_t i = 0; i < view.collisions->size(); ++i) {
+        const planning::CollidingFrames& collision = (*view.collisions)[i];
+        const float left = std::max(float(axis.xOf(collision.first + 0.5)) - 1, float(axis.left()));
+        const float right =
+            std::min(float(axis.xOf(collision.last + 0.5)) + 1, float(axis.right()));
+        if (right <= left) continue;
+        ImGui::GetWindowDrawList()->AddRectFilled({left, top}, {right, bottom},
+                                                  ImGui::GetColorU32(palette().bad));
+        nameArea(fmt::format("timeline.collision.{}", i), left, top, right, bottom);
+    }
+}
+
 void drawBands(const TimelineView& view, const FrameAxis& axis, const Rows& rows) {
     if (rows.keys <= rows.bands) return;
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -310,6 +327,7 @@ TimelineActions drawTimelineTracks(const TimelineView& view, TimelineState& stat
 
     drawRuler(view, axis, rows);
     drawKept(view, axis, rows);
+    drawCollisions(view, axis, rows);
     drawBands(view, axis, rows);
     drawStrips(view, state, axis, rows);
     drawKeys(view, axis, rows);
