@@ -202,8 +202,8 @@ ui::ExportView Editor::exportView() {
         view.why_not = "There is no trajectory, because no object can be captured.";
     }
     if (const std::size_t collisions = plan_timeline_.collisions().size(); collisions > 0) {
-        view.doubt = fmt::format("The camera path collides in {} place{} (red in the timeline).",
-                                 collisions, collisions == 1 ? "" : "s");
+        view.doubt = fmt::format("The camera collides in {} place{}.", collisions,
+                                 collisions == 1 ? "" : "s");
     }
     view.frame_count = frameCount();
     view.current_frame = playback_.frame();
