@@ -88,6 +88,15 @@ std::string asWords(const std::string& name) {
 
 }  // namespace
 
+bool namesBackdrop(std::string_view name) {
+    static constexpr std::array<std::string_view, 8> kWords = {
+        "backdrop", "background", "horizon", "panorama", "sky", "skybox", "skydome", "skyline"};
+    const std::vector<std::string> words = wordsOfName(name);
+    return std::ranges::any_of(words, [](const std::string& word) {
+        return std::ranges::find(kWords, word) != kWords.end();
+    });
+}
+
 std::vector<std::string> wordsOfName(std::string_view name) {
     std::vector<std::string> words;
     std::string word;

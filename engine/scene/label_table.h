@@ -71,6 +71,10 @@ class LabelTable {
 /// Whether objects of this class are part of the building: wall, floor, ceiling, door, window, ...
 bool isStructureClass(int nyu40);
 
+/// Whether a name is that of a sky or a backdrop. Such an object surrounds the building and is no
+/// part of it.
+bool namesBackdrop(std::string_view name);
+
 /// "SofaC_01.002" gives {"sofa", "c"}: lower case, no digits.
 std::vector<std::string> wordsOfName(std::string_view name);
 

@@ -1,6 +1,8 @@
 #include "engine/scene/room_bounds.h"
 
 #include "engine/core/disjoint_sets.h"
+#include "engine/scene/label_table.h"
+#include "engine/scene/labels.h"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +19,11 @@ namespace {
 constexpr double kNearby = 4.0;       // m: largest gap between objects of one building
 constexpr double kTooWide = 2.0;      // times the rest's extent: a ground or sky
 constexpr double kTooWideFlat = 1.6;  // the same for a flat object: a ground plane
+// A building of one mesh, in contrast to a sky or a landscape: its bottom is at the feet of the
+// objects in it, and it has the height of a few storeys.
+constexpr double kSameLevel_m = 0.3;
+constexpr double kHighestBuilding_m = 8.0;
+constexpr double kHighestShare = 0.3;  // of the width; domes are higher
 // Rooms beside the largest building: their least width and height, the least distance from a point
 // to the surfaces around it, so that the point is in no object, and the least share of the
 // horizontal directions from it in which a surface stands.
@@ -59,7 +66,37 @@ std::vector<Group> groupsOf(const std::vector<Item>& items, std::size_t first) {
     return by_set;
 }
 
-/// The items, the widest first; the first ones may be skies, grounds and the like.
+/// Whether an object is a building of one mesh that contains all the others, such as a hall with
+/// few tables.
+bool isBuildingAround(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& rest) {
+    const Eigen::Vector3d size = box.sizes();
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kSameLevel_m);
+    return size.z() >= kLeastHeight_m && size.z() <= kHighestBuilding_m &&
+           size.z() <= kHighestShare * size.head<2>().maxCoeff() &&
+           std::abs(box.min().z() - rest.min().z()) <= kSameLevel_m &&
+           Eigen::AlignedBox3d(box.min() - margin, box.max() + margin).contains(rest);
+}
+
+// Fewer objects are a sparse room, not a house on a plain or in front of a backdrop.
+constexpr std::size_t kFewestObjects = 3;
+
+/// Moves the backdrops to the front and returns their number; 0 and no change if the other objects
+/// are no room without them.
+std::size_t moveBackdropsFirst(const std::vector<Object>& objects, std::vector<Item>& items) {
+    std::vector<Item> sorted = items;
+    const auto rest = std::ranges::stable_partition(
+        sorted, [&](const Item& item) { return isBackdrop(objects[item.object]); });
+    const std::size_t count = sorted.size() - rest.size();
+    if (count == 0 || rest.size() < kFewestObjects) return 0;
+    const Eigen::Vector3d size = groupsOf(sorted, count).front().bounds.sizes();
+    // The unit may be wrong, so that the room is small.
+    if (size.minCoeff() < 0.5 * kLeastHeight_m) return 0;
+    items = std::move(sorted);
+    return count;
+}
+
+/// The items, the backdrops and then the widest first; the first ones may be skies, grounds and the
+/// like.
 struct SortedItems {
     std::vector<Item> items;
     std::size_t surrounding_count = 0;  // the first ones
@@ -76,31 +113,34 @@ SortedItems sortItems(const std::vector<Object>& objects) {
     };
     std::stable_sort(items.begin(), items.end(),
                      [&](const Item& a, const Item& b) { return planSize(a) > planSize(b); });
-    // The horizontal extent of the largest group without the k + 1 widest items; 0 if that group is
-    // flat, such as a ground plane.
-    const auto restAfter = [&](std::size_t k) {
+    const std::size_t backdrops = moveBackdropsFirst(objects, items);
+    // The largest group without the k + 1 widest items.
+    const auto restAfter = [&](std::size_t k) { return groupsOf(items, k + 1).front().bounds; };
+    // Its horizontal extent; 0 if it is flat, such as a ground plane.
+    const auto widthOf = [](const Eigen::AlignedBox3d& rest) {
         constexpr double kLowest_m = 0.5;
-        const Eigen::Vector3d rest = groupsOf(items, k + 1).front().bounds.sizes();
-        return rest.z() < kLowest_m ? 0.0 : std::max(rest.x(), rest.y());
+        const Eigen::Vector3d size = rest.sizes();
+        return size.z() < kLowest_m ? 0.0 : std::max(size.x(), size.y());
     };
     // A sky may contain a ground that contains the house: removes each object that is huge compared
     // with all smaller ones, and all larger objects.
-    std::size_t first = 0;
+    std::size_t first = backdrops;
     constexpr std::size_t kMostHuge = 8;
-    for (std::size_t k = 0; k + 1 < items.size() && k < kMostHuge; ++k) {
+    for (std::size_t k = first; k + 1 < items.size() && k < backdrops + kMostHuge; ++k) {
         if (planSize(items[k]) < 60.0) break;
-        const double wide = restAfter(k);
+        const double wide = widthOf(restAfter(k));
         if (wide > 0.0 && planSize(items[k]) > 3.0 * wide) first = k + 1;
     }
     // Then removes objects, the widest first, that are much wider than all the rest: they are
     // around the building.
     for (; first + 1 < items.size(); ++first) {
-        // Few objects on a large floor are a sparse room, not a house on a plain.
-        if (items.size() - first - 1 < 3) break;
-        const double wide = restAfter(first);
+        if (items.size() - first - 1 < kFewestObjects) break;
+        const Eigen::AlignedBox3d rest = restAfter(first);
+        const double wide = widthOf(rest);
         const bool flat = items[first].box.sizes().z() < 0.05 * planSize(items[first]);
         const double limit = flat ? kTooWideFlat : kTooWide;
         if (wide < 4.0 || planSize(items[first]) <= limit * wide) break;
+        if (isBuildingAround(items[first].box, rest)) break;
     }
     sorted.surrounding_count = first;
     return sorted;
@@ -207,6 +247,10 @@ bool enclosesRoom(const Scene& scene, const Group& group) {
 }
 
 }  // namespace
+
+bool isBackdrop(const Object& object) {
+    return object.structure && object.nyu40 == kNyuOtherStructure && namesBackdrop(object.name);
+}
 
 Eigen::AlignedBox3d worldBounds(const OrientedBox& box) {
     Eigen::AlignedBox3d bounds;

@@ -313,7 +313,8 @@ Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, co
                     "no room of the scene has space for a camera of radius " +
                         inMetres(camera.camera_radius_m) + " at cells of " +
                         inMetres(impl->grid.resolution_m) +
-                        "; lower camera_radius_m or octree_resolution_m, or check the units",
+                        "; lower camera_radius_m and near_m, or octree_resolution_m, or check the "
+                        "units",
                     scene.name);
     }
     impl->found = std::move(*found);

@@ -248,5 +248,67 @@ TEST(AwkwardHouse, WhatLiesOutsideIsATargetWhereAnEditSaysSo) {
     EXPECT_EQ(find(*edited, "garden_chair")->role, Role::Structure);
 }
 
+// A hall of one mesh with few tables in the middle.
+ObjWriter hallOfTables(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+    ObjWriter obj;
+    obj.object("cafe").box(low, high);
+    for (int i = 0; i < 5; ++i) {
+        const double x = 8.0 + 2.0 * i;
+        obj.object("table_" + std::to_string(i)).box({x, 4, 0}, {x + 0.9, 4.9, 0.75});
+    }
+    return obj;
+}
+
+TEST(AwkwardHouse, AHallAroundFewTablesIsTheBuilding) {
+    const Scene hall = importedText(hallOfTables({0, 0, 0}, {24, 10, 2.9}).text());
+    EXPECT_NEAR(hall.room_bounds.sizes().x(), 24.0, 1e-3);
+    EXPECT_EQ(countTargets(hall), 5);
+    // A landscape has its bottom below the floor, and a dome is high.
+    for (const auto& [low, high] : {std::pair(-1.0, 2.9), std::pair(0.0, 12.0)}) {
+        const Scene scene = importedText(hallOfTables({0, 0, low}, {24, 10, high}).text());
+        EXPECT_NEAR(scene.room_bounds.sizes().x(), 8.9, 1e-3) << low;
+    }
+}
+
+TEST(AwkwardHouse, ABackdropIsNoWall) {
+    ObjWriter obj = furnished();
+    obj.object("Background_Environment").box({-2, -2, -1.5}, {7, 6, 4.5});
+    const Scene scene = importedText(obj.text());
+    EXPECT_NEAR(scene.room_bounds.sizes().x(), 5.0, 1e-3);
+    const Object* backdrop = find(scene, "Background_Environment");
+    ASSERT_NE(backdrop, nullptr);
+    EXPECT_EQ(backdrop->nyu40, kNyuOtherStructure);
+    EXPECT_EQ(backdrop->role, Role::Structure);
+    EXPECT_TRUE(says(scene.report.notes, "outside or around the building"));
+}
+
+TEST(AwkwardHouse, AFloorOnTopOfTheWallsIsACeiling) {
+    ObjWriter obj = furnished();
+    obj.object("Floor_top").box({0, 0, 2.6}, {5, 4, 2.65});
+    const Scene scene = importedText(obj.text());
+    ASSERT_NE(find(scene, "Floor_top"), nullptr);
+    EXPECT_EQ(find(scene, "Floor_top")->nyu40, kNyuCeiling);
+    // With furniture on it, it is the floor of another storey.
+    obj.object("bed").box({1, 1, 2.65}, {3, 2.5, 3.2});
+    EXPECT_EQ(find(importedText(obj.text()), "Floor_top")->nyu40, kNyuFloor);
+}
+
+// Walls in one mesh are one object, whose top is no outlier among much lower furniture.
+TEST(AwkwardHouse, WallsInOneMeshGiveTheHeight) {
+    ObjWriter obj;
+    obj.object("Wall").quad({0, 0, 0}, {3.5, 0, 0}, {3.5, 0, 2.03}, {0, 0, 2.03});
+    obj.quad({0, 0, 0}, {0, 3.5, 0}, {0, 3.5, 2.03}, {0, 0, 2.03});
+    obj.quad({0, 0, 0}, {3.5, 0, 0}, {3.5, 3.5, 0}, {0, 3.5, 0});
+    obj.object("Table").box({1.2, 0.2, 0}, {2.6, 0.9, 0.7});
+    obj.object("Cabinet").box({0.1, 1.2, 0}, {0.6, 2.4, 0.9});
+    for (int i = 0; i < 8; ++i) {
+        const double x = 1.3 + 0.15 * i;
+        obj.object("Book_" + std::to_string(i)).box({x, 0.4, 0.7}, {x + 0.1, 0.65, 0.95});
+    }
+    const Scene scene = importedText(obj.text());
+    EXPECT_EQ(scene.report.unit_m, 1.0);
+    EXPECT_FALSE(says(scene.report.warnings, "unit is doubtful"));
+}
+
 }  // namespace
 }  // namespace dollytrack::awkward_house_test

@@ -368,6 +368,51 @@ TEST(AwkwardScene, DistantObjectsWithoutARoomDoNotCount) {
     }
 }
 
+TEST(AwkwardScene, UnknownLinesOfMaterialsAreIgnored) {
+    const std::string text =
+        "newmtl wood\n\tKd 0.5 0.25 0.125\n\tanisotropicRotation 0\n\tao 1\r\n\tKs 0\n"
+        "d -halo 0.5\naniso 0\nKe spectral file.rfl\nPr 0.5\nmap_Kd wood.ppm\n";
+    std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    EXPECT_TRUE(dropUnknownMaterialLines(bytes));
+    EXPECT_EQ(std::string(bytes.begin(), bytes.end()),
+              "newmtl wood\n\tKd 0.5 0.25 0.125\n#anisotropicRotation 0\n#ao 1\r\n\tKs 0\n"
+              "# -halo 0.5\n#niso 0\n#e spectral file.rfl\nPr 0.5\nmap_Kd wood.ppm\n");
+    const TempFolder folder;
+    static_cast<void>(folder.write("room.mtl", text));
+    const Result<RawScene> raw =
+        readModel(folder.write("room.obj",
+                               "mtllib room.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl wood\n"
+                               "f 1 2 3\n"),
+                  {});
+    ASSERT_TRUE(raw) << describe(raw.error());
+    EXPECT_TRUE(std::ranges::any_of(
+        raw->materials, [](const Material& material) { return material.name == "wood"; }));
+}
+
+TEST(AwkwardScene, OfTexturesWithOneNameThatOfTheSameFolderIsUsed) {
+    const TempFolder folder;
+    for (const std::string place : {"2", "deep/TV", "A"}) {
+        std::filesystem::create_directories(folder.path() / place);
+        static_cast<void>(folder.write(
+            place + "/images.ppm", "P6 1 1 255\n" + place.substr(0, 1) + place.substr(0, 1) + "0"));
+    }
+    static_cast<void>(folder.write("room.mtl",
+                                   "newmtl tv\nmap_Kd C:\\work\\tv\\images.ppm\n"
+                                   "newmtl wood\nmap_Kd C:\\work\\A\\images.ppm\n"));
+    ObjWriter obj;
+    obj.object("tv").material("tv").box({0, 0, 0}, {1, 1, 1});
+    obj.object("table").material("wood").box({2, 0, 0}, {3, 1, 1});
+    const Scene scene = test::imported(folder.write("room.obj", "mtllib room.mtl\n" + obj.text()));
+    for (const auto& [name, red] : {std::pair("tv", 'd'), std::pair("wood", 'A')}) {
+        const auto found = std::ranges::find(scene.materials, name, &Material::name);
+        ASSERT_NE(found, scene.materials.end()) << name;
+        ASSERT_GE(found->texture, 0);
+        const Texture& texture = scene.textures[static_cast<std::size_t>(found->texture)];
+        ASSERT_FALSE(texture.rgba.empty());
+        EXPECT_EQ(texture.rgba[0], red) << name;
+    }
+}
+
 // From a point in a crown or a car, surfaces stand all round.
 TEST(AwkwardScene, TreesAndCarsFarFromTheHouseDoNotCount) {
     ObjWriter tree = furnished();

@@ -44,6 +44,15 @@ TEST(Gltf, InterleavedViewThatEndsWithItsLastElement) {
               std::string::npos);
 }
 
+TEST(Gltf, MeshesWithSkeletonsAreReported) {
+    GlbWriter file = plainSheet();
+    EXPECT_TRUE(read(file.glb()).warnings.empty());
+    file.json["nodes"][0]["skin"] = 0;
+    const RawScene raw = read(file.glb());
+    ASSERT_EQ(raw.warnings.size(), 1U);
+    EXPECT_NE(raw.warnings[0].find("1 mesh is deformed by a skeleton"), std::string::npos);
+}
+
 TEST(Gltf, EachInstanceIsANodeOfItsOwn) {
     GlbWriter file = plainSheet();
     const std::vector<float> places = {1, 2, 3, -4, 5, -6, 0, 0, 7};

@@ -1,5 +1,6 @@
 #include "engine/io/assimp/model_text_repair.h"
 
+#include "engine/core/name_pattern.h"
 #include "engine/io/assimp/assimp_files.h"
 
 #include <fmt/format.h>
@@ -145,6 +146,25 @@ std::size_t markupEnd(std::string_view xml, std::size_t at) {
     }
 }
 
+/// Whether a line of an MTL file without its indent is a statement that assimp reads.
+bool isMaterialStatement(std::string_view line) {
+    static constexpr std::array<std::string_view, 15> kWithNumbers = {
+        "ka", "kd",    "ks", "ke", "ns", "ni", "tf", "tr",
+        "d",  "illum", "pr", "pm", "ps", "pc", "pcr"};
+    static constexpr std::array<std::string_view, 5> kWithNames = {"newmtl", "bump", "disp", "refl",
+                                                                   "norm"};
+    const std::size_t length = std::min(line.find_first_of(" \t\r"), line.size());
+    const std::string keyword = inSmallLetters(std::string(line.substr(0, length)));
+    if (keyword.starts_with("map_") || std::ranges::find(kWithNames, keyword) != kWithNames.end()) {
+        return true;
+    }
+    if (std::ranges::find(kWithNumbers, keyword) == kWithNumbers.end()) return false;
+    std::string_view value = withoutIndent(line.substr(length));
+    if (value.starts_with('-') || value.starts_with('+')) value.remove_prefix(1);
+    if (value.starts_with('.')) value.remove_prefix(1);
+    return !value.empty() && isDigit(static_cast<std::uint8_t>(value.front()));
+}
+
 }  // namespace
 
 void ModelTextRepairs::noteMaterial(const std::filesystem::path& file, bool opened) {
@@ -213,6 +233,23 @@ bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces) {
     return changed;
 }
 
+bool dropUnknownMaterialLines(std::vector<std::uint8_t>& text) {
+    const std::string all(reinterpret_cast<const char*>(text.data()), text.size());
+    bool changed = false;
+    for (std::size_t begin = 0; begin < all.size();) {
+        const std::size_t end = std::min(all.find('\n', begin), all.size());
+        const std::string_view words =
+            withoutIndent(std::string_view(all).substr(begin, end - begin));
+        const bool is_empty = words.find_first_of("\r#") == 0 || words.empty();
+        if (!is_empty && !isMaterialStatement(words)) {
+            text[begin] = '#';
+            changed = true;
+        }
+        begin = end + 1;
+    }
+    return changed;
+}
+
 bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text) {
     constexpr std::string_view kTag = "<color";
     const std::string_view all(reinterpret_cast<const char*>(text.data()), text.size());
@@ -261,7 +298,8 @@ std::size_t lineOfBadIndices(std::string_view collada) {
 Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extension,
                            ModelTextRepairs& repairs) {
     const bool collada = extension == ".dae";
-    if (!stream || stream->FileSize() > kLargest || !(collada || extension == ".obj")) {
+    const bool material = extension == ".mtl";
+    if (!stream || stream->FileSize() > kLargest || !(collada || material || extension == ".obj")) {
         return stream;
     }
     std::unique_ptr<Assimp::IOStream> old(stream);
@@ -276,6 +314,8 @@ Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extensio
                 return nullptr;
             }
             changed = removeBlanksBeforeColors(text);
+        } else if (material) {
+            changed = dropUnknownMaterialLines(text);
         } else {
             changed = hasBarePoints(text);
             if (changed) text = withLeadingZeros(text);

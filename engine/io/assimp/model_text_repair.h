@@ -39,6 +39,11 @@ struct ModelTextRepairs {
 /// anything was changed.
 bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces);
 
+/// Makes comments of the lines of an MTL text that are no statements of the format or that have a
+/// word where the format has a number. assimp takes every line that begins with "a", such as
+/// "ao 1", for an anisotropy and rejects the file. Returns whether there were any.
+bool dropUnknownMaterialLines(std::vector<std::uint8_t>& text);
+
 /// Removes blanks between <color> and its first number; assimp rejects the file otherwise. Returns
 /// whether there were any.
 bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text);
@@ -49,7 +54,7 @@ bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text);
 /// such, too.
 [[nodiscard]] std::size_t lineOfBadIndices(std::string_view collada);
 
-/// Mends an OBJ or Collada file before assimp reads it; `extension` says which of them it is.
+/// Mends an OBJ, MTL or Collada file before assimp reads it; `extension` says which of them it is.
 /// assimp does not read ".5" as a number and drops the vertex. Takes ownership of the stream and
 /// returns it rewound, or returns a stream of the mended text. If the file is OBJ, sets
 /// `repairs.mended_faces` to the number of faces that lost their texture coordinates. Returns null

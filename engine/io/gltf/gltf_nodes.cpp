@@ -1,6 +1,7 @@
 #include "engine/io/gltf/gltf_nodes.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/gltf/accessor.h"
 
 #include <fmt/format.h>
@@ -159,6 +160,14 @@ class NodeWalk {
                 "no node of its scene has a mesh; export the scene together with its "
                 "meshes");
         }
+        if (skinned_ > 0) {
+            raw_.warnings.push_back(
+                counted(skinned_,
+                        "mesh is deformed by a skeleton, which is not read; it is shown in its "
+                        "rest pose",
+                        "meshes are deformed by skeletons, which are not read; they are shown in "
+                        "their rest pose"));
+        }
         return std::move(placements_);
     }
 
@@ -206,6 +215,7 @@ class NodeWalk {
         const Eigen::Affine3d here = visit.source_from_parent * transformOf(node);
         const auto& children = listAt(node, "children");
         const auto mesh = findCount(node, "mesh");
+        if (mesh && node.contains("skin")) ++skinned_;
         std::string name = cleanText(textOr(node, "name"));
         // Quantizers insert a node between an object's node and its mesh, which undoes the scaling
         // of integers.
@@ -254,6 +264,7 @@ class NodeWalk {
     bool quantized_;
     std::vector<bool> holds_quantized_;  // by raw node: takes nameless children's meshes
     std::size_t instances_ = 0;
+    std::size_t skinned_ = 0;  // nodes whose mesh a skeleton deforms
     std::vector<Visit> stack_;
     std::vector<MeshPlacement> placements_;
 };

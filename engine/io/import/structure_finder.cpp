@@ -87,6 +87,21 @@ double shareAbove(const Shape& shape, const std::vector<Object>& boxes) {
     return above / static_cast<double>(boxes.size());
 }
 
+/// Whether a floor is a roof or ceiling instead: it lies at the top of the building, and nothing is
+/// above it.
+bool isTopmost(const Object& floor, const std::vector<Object>& boxes,
+               const Eigen::AlignedBox3d& building) {
+    constexpr double kLeastStorey_m = 1.8;
+    constexpr double kSlab_m = 0.3;
+    const auto topOf = [](const Object& object) {
+        return object.box.center.z() + object.box.half_size.z();
+    };
+    return floor.box.half_size.z() < 0.5 * kSlab_m &&
+           topOf(floor) - building.min().z() > kLeastStorey_m &&
+           std::ranges::none_of(
+               boxes, [&](const Object& other) { return topOf(other) > topOf(floor) + kSlab_m; });
+}
+
 Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
     const Eigen::Vector3d size = shape.bounds.sizes();
     const Eigen::Vector3d room_size = room.sizes();
@@ -173,6 +188,10 @@ std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& d
         const Eigen::AlignedBox3d bounds = boundsOf(raw, drafts[i]).cast<double>();
         boxes[i].box.center = bounds.center();
         boxes[i].box.half_size = 0.5 * bounds.sizes();
+        // The names of pieces are those of their materials.
+        if (!drafts[i].loose) boxes[i].name = drafts[i].name;
+        boxes[i].nyu40 = drafts[i].label.nyu40;
+        boxes[i].structure = drafts[i].label.kind == LabelKind::Structure;
     }
     Eigen::AlignedBox3d room = findRoomBounds(boxes);
 
@@ -181,8 +200,10 @@ std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& d
     std::vector<char> by_shape(drafts.size(), 0);
     parallelFor(drafts.size(), [&](std::size_t i) {
         const Label& label = drafts[i].label;
-        // "House_12" is structure by its name; the shape decides between wall and floor.
-        const bool vague = label.kind == LabelKind::Structure && label.nyu40 == kNyuOtherStructure;
+        // "House_12" is structure by its name; the shape decides between wall and floor. A backdrop
+        // may have the shape of walls.
+        const bool vague = label.kind == LabelKind::Structure &&
+                           label.nyu40 == kNyuOtherStructure && !isBackdrop(boxes[i]);
         // Pieces of a split mesh are named after their material, so their shape is used as well.
         const bool by_name = label.kind == LabelKind::Target || label.kind == LabelKind::Structure;
         if (by_name && !vague && !drafts[i].loose) return;
@@ -213,6 +234,10 @@ std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& d
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         Label& label = drafts[i].label;
         if (verdicts[i].is_structure) label = {LabelKind::Structure, verdicts[i].nyu40, "(shape)"};
+        if (label.kind == LabelKind::Structure && label.nyu40 == kNyuFloor &&
+            isTopmost(boxes[i], boxes, room)) {
+            label = {LabelKind::Structure, kNyuCeiling, "(shape)"};
+        }
         structure[i] = label.kind == LabelKind::Structure;
     }
     return structure;

@@ -61,15 +61,22 @@ MeasuredObject measureSource(const Source& source) {
     return object;
 }
 
+/// Whether an object is all walls of the room in one mesh.
+bool isShell(const MeasuredObject& object, const Eigen::AlignedBox3d& core) {
+    constexpr double kLeastCover = 0.6;
+    return object.nyu40 == kNyuWall &&
+           (object.box.sizes().array() > kLeastCover * core.sizes().array()).all();
+}
+
 /// Extends the core to floors, walls and ceilings that the outlier cut removed: thin objects about
-/// as wide as the core, within twice its extent.
+/// as wide as the core, and all walls in one mesh, within twice its extent.
 void includeRoomSides(const std::vector<MeasuredObject>& objects, Eigen::AlignedBox3d& core) {
     constexpr double kNear = 2.0;  // times the extent of the core
     const Eigen::AlignedBox3d left = core;
     for (const MeasuredObject& object : objects) {
         for (int axis = 0; axis < 3; ++axis) {
             const double reach = kNear * left.sizes()[axis];
-            if (!isRoomSide(object, left, axis) ||
+            if (!(isRoomSide(object, left, axis) || isShell(object, left)) ||
                 object.box.min()[axis] < left.min()[axis] - reach ||
                 object.box.max()[axis] > left.max()[axis] + reach) {
                 continue;

@@ -32,12 +32,26 @@ std::string baseName(const std::string& name) {
 struct PictureFolder {
     explicit PictureFolder(const fs::path& folder) : files(folder) {
         for (const fs::path& file : files.list()) {
-            by_name.try_emplace(inSmallLetters(file.filename().string()), file);
+            by_name[inSmallLetters(file.filename().string())].push_back(file);
         }
     }
     ConfinedFolder files;
-    std::map<std::string, fs::path> by_name;  // by lower-case name; the least nested of equal ones
+    std::map<std::string, std::vector<fs::path>> by_name;  // in small letters; least nested first
 };
+
+/// The number of folders above the file in which two paths agree, counted from the file upwards.
+std::ptrdiff_t sharedFolders(const fs::path& one, const fs::path& other) {
+    const auto foldersOf = [](const fs::path& path) {
+        std::vector<std::string> folders;
+        for (const fs::path& part : path.parent_path()) {
+            folders.push_back(inSmallLetters(part.string()));
+        }
+        std::ranges::reverse(folders);
+        return folders;
+    };
+    const std::vector<std::string> folders = foldersOf(one);
+    return std::ranges::mismatch(folders, foldersOf(other)).in1 - folders.begin();
+}
 
 std::optional<fs::path> locate(const std::string& name, bool only_there,
                                const PictureFolder& folder) {
@@ -52,7 +66,10 @@ std::optional<fs::path> locate(const std::string& name, bool only_there,
         }
         if (only_there) continue;
         const auto found = folder.by_name.find(inSmallLetters(baseName(relative)));
-        if (found != folder.by_name.end()) return found->second;
+        if (found == folder.by_name.end()) continue;
+        // Of files with the same name, the one whose folders agree with those of the path.
+        return *std::ranges::max_element(
+            found->second, {}, [&](const fs::path& file) { return sharedFolders(file, direct); });
     }
     return std::nullopt;
 }
