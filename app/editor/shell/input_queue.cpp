@@ -26,6 +26,11 @@ bool onlyTypes(int key, int mods) {
            key == GLFW_KEY_RIGHT_SHIFT;
 }
 
+/// Whether a key changes the meaning of others instead of having one itself.
+bool isModifier(int key) {
+    return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+}
+
 }  // namespace
 
 void InputQueue::attach(GLFWwindow* window) {
@@ -68,11 +73,13 @@ double InputQueue::earliest(double now_s) const {
 bool InputQueue::deliver(bool hold_keys) {
     listened_until_s_ = glfwGetTime();
     follows_closely_ = false;
-    std::set<int> changed;  // key codes, and buttons as negative numbers
-    at_event_ = false;      // after a button event, the mouse must not move in this frame
-    bool dragged = false;   // the final position must be shown before the button is released
-    bool scrolled = false;  // the wheel was turned in this frame
-    bool text = false;      // characters were delivered, which later keys must not overtake
+    std::set<int> changed;     // key codes, and buttons as negative numbers
+    std::set<int> released;    // codes of keys
+    bool key_pressed = false;  // a key that is no modifier
+    at_event_ = false;         // after a button event, the mouse must not move in this frame
+    bool dragged = false;      // the final position must be shown before the button is released
+    bool scrolled = false;     // the wheel was turned in this frame
+    bool text = false;         // characters were delivered, which later keys must not overtake
     while (!events_.empty()) {
         const Event event = events_.front();
         const bool typed = event.kind == Event::Kind::Text ||
@@ -97,15 +104,25 @@ bool InputQueue::deliver(bool hold_keys) {
         const bool repeats = event.action == GLFW_REPEAT;
         const int which = event.kind == Event::Kind::Button ? -1 - event.code : event.code;
         // A second change of a key, or a release after other presses, needs a frame of its own:
-        // otherwise Ctrl could be released before its key is handled.
+        // otherwise Ctrl could be released before its key is handled. ImGui knows only which keys
+        // are down in a frame, so it would not notice a key that is released and pressed again
+        // within one. Two keys need two frames, because only one command runs in each.
         const bool release = event.action == GLFW_RELEASE;
-        if (switches && !repeats && (changed.contains(which) || (release && !changed.empty()))) {
-            return true;
-        }
+        const bool key = event.kind == Event::Kind::Key;
+        const bool waits_for_change =
+            release ? !changed.empty()
+                    : changed.contains(which) || released.contains(which) || (key && key_pressed);
+        if (switches && !repeats && waits_for_change) return true;
         events_.pop_front();
-        // Button releases count, too: the second press of a double click needs a frame of its own.
-        if (switches && !repeats && (!release || event.kind == Event::Kind::Button)) {
-            changed.insert(which);
+        if (switches && !repeats) {
+            if (key && release) {
+                released.insert(which);
+            } else {
+                // Button releases count, too: the second press of a double click needs a frame of
+                // its own.
+                changed.insert(which);
+                key_pressed |= key && !isModifier(event.code);
+            }
         }
         switch (event.kind) {
             case Event::Kind::Key:

@@ -396,6 +396,25 @@ class Timeline(Task):
         self.assertEqual(self.editor.click("timeline.end")["frame"], state["plan"]["frames"] - 1)
         self.assertEqual(self.editor.click("timeline.start")["frame"], 0)
 
+    def test_every_press_counts_although_the_window_is_busy(self):
+        self.start_room()
+        self.editor.point("viewport")
+        with self.editor.stuck():
+            for _ in range(20):
+                self.editor.hold("right")
+                self.editor.let_go("right")
+                time.sleep(0.004)  # GLFW ignores a second press within the same millisecond
+        # Every frame of the window takes one of the events, which arrived all at once.
+        points = self.editor.wait(lambda state: state["frame"] == 20, "20 steps",
+                                  20)["layers"]["points"]
+        with self.editor.stuck():
+            for name in ("left", "F3"):  # both are held down at a time
+                self.editor.hold(name)
+            for name in ("left", "F3"):
+                self.editor.let_go(name)
+        self.editor.wait(lambda state: state["frame"] == 19 and
+                         state["layers"]["points"] != points, "both commands", 20)
+
     def test_type_a_frame(self):
         self.start_room()
         self.assertEqual(self.editor.type_value("timeline.frame", "42")["frame"], 42)
