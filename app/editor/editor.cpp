@@ -199,7 +199,7 @@ bool Editor::frame() {
     if (!quitting_) autosave();
     rememberSettings();
     popup_was_open_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    window_.navigation().endFrame(pane_.hovered, dialogIsOpen());
+    window_.navigation().endFrame(pane_.hovered, dialogIsOpen(), gizmo_.usesKeys());
     window_.setTitle(workspace_.title());
     return !quitting_;
 }
