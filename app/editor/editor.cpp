@@ -12,6 +12,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace dollytrack::editor {
 namespace {
@@ -198,7 +199,7 @@ bool Editor::frame() {
     if (!quitting_) autosave();
     rememberSettings();
     popup_was_open_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    window_.navigation().endFrame(pane_.hovered, dialogIsOpen());
+    window_.navigation().endFrame(pane_.hovered, dialogIsOpen(), gizmo_.usesKeys());
     window_.setTitle(workspace_.title());
     return !quitting_;
 }
@@ -417,13 +418,14 @@ void Editor::goToFrame(int frame) {
     panels_.preview.shows_selection = false;
 }
 
-void Editor::lookThroughFrame(bool through) {
-    if (through == through_camera_) return;
-    through_camera_ = through;
-    if (through || plan() == nullptr || playback_.frame() >= frameCount()) return;
-    // The free camera continues from the pose of the plan's camera.
-    panels_.viewport.camera.orthographic = false;
-    panels_.viewport.camera.standAt(plan()->trajectory.frames[playback_.frame()].pose, 1.5);
+void Editor::leaveCameraView() {
+    if (!std::exchange(through_camera_, false)) return;
+    // Who looks around or flies continues from the pose of the plan's camera.
+    const bool looks = panels_.viewport.drag == ui::ViewportState::Drag::Look;
+    if (!looks || plan() == nullptr || playback_.frame() >= frameCount()) return;
+    ui::ViewerCamera& camera = panels_.viewport.camera;
+    camera.orthographic = false;
+    camera.standAt(plan()->trajectory.frames[playback_.frame()].pose, camera.distance);
 }
 
 void Editor::lookAlongPose(const Pose& pose) {
@@ -434,13 +436,17 @@ void Editor::lookAlongPose(const Pose& pose) {
 
 void Editor::bringIntoView(const Eigen::AlignedBox3d& box) {
     if (box.isEmpty()) return;
-    lookThroughFrame(false);
-    ui::ViewerCamera camera = panels_.viewport.camera;
+    leaveCameraView();
+    ui::ViewerCamera& camera = panels_.viewport.camera;
     camera.frame(box, static_cast<double>(pane_.width) / std::max(pane_.height, 1));
     camera.distance = std::max(camera.distance, 0.8);
-    panels_.viewport.camera = camera;
+}
+
+void Editor::showUnobstructed(const Eigen::AlignedBox3d& box) {
+    bringIntoView(box);
+    const ui::ViewerCamera camera = panels_.viewport.camera;
     const PlanOutcome& shown = workspace_.shown();
-    if (!shown.rays || camera.orthographic) return;
+    if (box.isEmpty() || !shown.rays || camera.orthographic) return;
     panels_.viewport.camera = ui::unobstructedView(camera, [&](const ui::ViewerCamera& tried) {
         const render::View view = viewportView(tried);
         const auto left_away = [&](int object, const Eigen::Vector3d& at) {

@@ -317,14 +317,19 @@ class Editor {
     void select(ui::Selection selection);
     void selectObject(int object, bool add);
     void goToFrame(int frame);
-    void lookThroughFrame(bool through);
+    /// Returns from the view through the plan's camera to the view before.
+    void leaveCameraView();
     void lookAlongPose(const Pose& pose);
     void dropGizmo();
     void finishDrag();
     void cancelDrag();
     /// Starts a move or a rotation of the selection that follows mouse and keyboard.
     void startKeyTransform(ui::GizmoPart part);
+    /// Moves the view, without turning it, until the box fills it.
     void bringIntoView(const Eigen::AlignedBox3d& box);
+    /// Brings the box into view and turns the view, if it is in perspective, until nothing hides
+    /// the box.
+    void showUnobstructed(const Eigen::AlignedBox3d& box);
     void togglePin();
     void deleteSelected();
     void runKeys();

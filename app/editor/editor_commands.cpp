@@ -257,7 +257,7 @@ void Editor::addSelectionCommands() {
              } else if (panels_.preview.full) {
                  panels_.preview.full = false;
              } else if (through_camera_) {
-                 lookThroughFrame(false);
+                 leaveCameraView();
              } else {
                  selected_.clear();
              }

@@ -80,7 +80,7 @@ void Editor::drawObjects() {
     if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
     const ui::ObjectsActions actions = ui::drawObjectsPanel(view, panels_.objects);
     if (actions.clicked != 0) selectObject(actions.clicked, actions.add_to_selection);
-    if (actions.frame != 0) commands_.find("view.frame_selected")->run();
+    if (actions.frame != 0) showUnobstructed(selectedBox());
     if (actions.toggle_hidden != 0) selected_.toggleHidden(actions.toggle_hidden);
     if (actions.toggle_target != 0) {
         apply({{"op", actions.make_target ? "include" : "exclude"},
@@ -138,7 +138,7 @@ void Editor::drawEdits() {
     if (actions.frame) {
         Eigen::AlignedBox3d box;
         for (const Eigen::Vector3d& corner : actions.frame->corners()) box.extend(corner);
-        bringIntoView(box);
+        showUnobstructed(box);
     }
 }
 
@@ -209,7 +209,7 @@ void Editor::drawSelection() {
     layer_settings_.candidates = panels_.selection.show_candidates;
     if (actions.went_to_s) track_time_.goTo(*actions.went_to_s);
     applyRequest(actions.edit);
-    if (actions.frame) commands_.find("view.frame_selected")->run();
+    if (actions.frame) showUnobstructed(selectedBox());
     if (actions.go_to_frame >= 0) goToFrame(actions.go_to_frame);
     if (actions.look_through) lookAlongPose(*actions.look_through);
     if (actions.remedy.find) remedies_.find(shown, object);

@@ -32,7 +32,7 @@ void Editor::addViewCommands() {
                    "Show everything",
                    {GLFW_KEY_HOME},
                    [this, aspect] {
-                       lookThroughFrame(false);
+                       leaveCameraView();
                        panels_.viewport.camera.frame(workspace_.shown().scene->room_bounds,
                                                      aspect());
                        panels_.viewport.camera.distance *= 0.78;
@@ -54,7 +54,7 @@ void Editor::addViewCommands() {
                                         {"bottom", "From below", 7, true, Axis::Bottom}};
     for (const AxisKey& view : kAxes) {
         const auto look = [this, axis = view.axis] {
-            lookThroughFrame(false);
+            leaveCameraView();
             panels_.viewport.camera.lookFrom(axis);
         };
         commands_.add({"view." + std::string(view.id),
@@ -65,8 +65,39 @@ void Editor::addViewCommands() {
                        needs_scene});
         keypad_.push_back({GLFW_KEY_KP_0 + view.digit, view.opposite, look});
     }
+    struct OrbitKey {
+        const char* id;
+        const char* title;
+        int key;
+        int right, up;
+    };
+    static constexpr OrbitKey kOrbits[] = {
+        {"orbit_left", "Orbit 15\u00b0 to the left", GLFW_KEY_KP_4, -1, 0},
+        {"orbit_right", "Orbit 15\u00b0 to the right", GLFW_KEY_KP_6, 1, 0},
+        {"orbit_up", "Orbit 15\u00b0 upwards", GLFW_KEY_KP_8, 0, 1},
+        {"orbit_down", "Orbit 15\u00b0 downwards", GLFW_KEY_KP_2, 0, -1}};
+    for (const OrbitKey& orbit : kOrbits) {
+        commands_.add({"view." + std::string(orbit.id),
+                       "View",
+                       orbit.title,
+                       {orbit.key},
+                       [this, orbit] {
+                           leaveCameraView();
+                           panels_.viewport.camera.orbitBySteps(orbit.right, orbit.up);
+                       },
+                       needs_scene});
+    }
+    commands_.add({"view.opposite",
+                   "View",
+                   "From the opposite side",
+                   {GLFW_KEY_KP_9},
+                   [this] {
+                       leaveCameraView();
+                       panels_.viewport.camera.lookFromOpposite();
+                   },
+                   needs_scene});
     const auto orthographic = [this] {
-        lookThroughFrame(false);
+        leaveCameraView();
         panels_.viewport.camera.orthographic = !panels_.viewport.camera.orthographic;
     };
     commands_.add({"view.orthographic",
@@ -77,7 +108,10 @@ void Editor::addViewCommands() {
                    needs_scene,
                    [this] { return panels_.viewport.camera.orthographic; }});
     keypad_.push_back({GLFW_KEY_KP_5, false, orthographic});
-    const auto through = [this] { lookThroughFrame(!through_camera_); };
+    const auto through = [this] {
+        if (through_camera_) return leaveCameraView();
+        through_camera_ = frameCount() > 0;
+    };
     commands_.add(
         {"view.through_camera",
          "View",
@@ -292,7 +326,7 @@ void Editor::drawClip() {
 
 void Editor::toggleLocalView() {
     if (!selected_.inLocalView() && selected_.objects().empty()) return;
-    lookThroughFrame(false);
+    leaveCameraView();
     selected_.toggleLocalView();
     if (selected_.inLocalView()) {
         view_before_local_ = panels_.viewport.camera;

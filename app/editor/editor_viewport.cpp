@@ -464,7 +464,7 @@ void Editor::drawCentre() {
         preview_hovered_ || panels_.legend.hovered || panels_.preview.full || gizmo_.usesKeys();
     pane_ = ui::drawViewport(view, panels_.viewport);
     if (pane_.camera_moved) window_.animate();
-    if (pane_.unlock) lookThroughFrame(false);
+    if (pane_.unlock) leaveCameraView();
     if (!workspace_.isOpen()) return;
     if (pane_.clicked) clickAt(*pane_.clicked, pane_.add_to_selection, pane_.list);
     if (pane_.box) {

@@ -5,6 +5,8 @@
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
 
 namespace dollytrack::ui::command_palette_test {
 namespace {
@@ -44,6 +46,19 @@ TEST_F(CommandPaletteTest, TypedLettersAndEnterRunTheBestCommand) {
     screen.press(GLFW_KEY_ENTER);
     EXPECT_EQ(actions.run, "view.frame_all");
     EXPECT_FALSE(state.open);
+}
+
+TEST_F(CommandPaletteTest, IsAsSmallAsItsOneLineIfNothingMatches) {
+    screen.type("qqqq");
+    screen.frame(3);
+    ASSERT_TRUE(state.hits.empty());
+    ASSERT_FALSE(ImGui::GetCurrentContext()->OpenPopupStack.empty());
+    const ImGuiWindow* popup = ImGui::GetCurrentContext()->OpenPopupStack.back().Window;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    EXPECT_NEAR(popup->Size.y,
+                ImGui::GetFrameHeight() + style.ItemSpacing.y + ImGui::GetTextLineHeight() +
+                    2 * style.WindowPadding.y,
+                2.0F);
 }
 
 TEST_F(CommandPaletteTest, ArrowsMoveTheChoice) {

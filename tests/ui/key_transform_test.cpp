@@ -65,6 +65,51 @@ TEST(KeyTransform, AnAxisKeyGoesFromTheWorldToTheElementToFree) {
     EXPECT_EQ(moved("xxy").own_axes, false);
 }
 
+TEST(KeyTransform, AnAxisKeyWithShiftLocksTheAxis) {
+    const GizmoView view = viewFrom(ViewerCamera::Axis::Top);
+    const auto offset = [&](char axis, const std::string& characters) {
+        KeyTransform keys = moved("");
+        typeCharacter(keys, axis, true, true);
+        for (const char character : characters) typeCharacter(keys, character, true);
+        return changeOf(keys, view, {0, 0}).offset_m;
+    };
+    EXPECT_EQ(offset('Z', "2\t3"), Eigen::Vector3d(2, 3, 0));
+    EXPECT_EQ(offset('Y', "2\t-3"), Eigen::Vector3d(2, 0, -3));
+    EXPECT_EQ(offset('X', "2\t3\t1"), Eigen::Vector3d(0, 21, 3)) << "back to the first number";
+    EXPECT_EQ(offset('z', "\t4"), Eigen::Vector3d(0, 4, 0)) << "with caps lock";
+    EXPECT_EQ(offset('Z', "2\t3x"), Eigen::Vector3d(2, 0, 0)) << "an axis has one number";
+    EXPECT_EQ(changeOf(moved("1\t2\t3"), view, {0, 0}).offset_m, Eigen::Vector3d(1, 2, 3));
+    KeyTransform keys = moved("");
+    for (const bool own : {false, true}) {
+        typeCharacter(keys, 'Z', true, true);
+        EXPECT_EQ(keys.part, GizmoPart::MoveXY);
+        EXPECT_EQ(keys.own_axes, own);
+    }
+    typeCharacter(keys, 'Z', true, true);
+    EXPECT_EQ(keys.part, GizmoPart::MoveFree);
+}
+
+TEST(KeyTransform, TheMouseMovesTheElementInThePlane) {
+    ViewerCamera camera;
+    GizmoView view;
+    view.view = camera.view(800, 600);
+    const auto pixel = [&](const Eigen::Vector3d& point) {
+        return view.view.project(view.view.pose.toCamera(point));
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        KeyTransform keys = moved("");
+        keys.cursor_at_begin = pixel({0, 0, 0});
+        typeCharacter(keys, static_cast<char>('x' + axis), true, true);
+        Eigen::Vector3d to(0.4, 0.3, 0.2);
+        to[axis] = 0.0;
+        EXPECT_NEAR((changeOf(keys, view, pixel(to)).offset_m - to).norm(), 0.0, 1e-9);
+    }
+    view.view = viewFrom(ViewerCamera::Axis::Front).view;
+    KeyTransform keys = moved("");
+    typeCharacter(keys, 'z', true, true);
+    EXPECT_EQ(changeOf(keys, view, {10, 20}).offset_m, Eigen::Vector3d(0, 0, 0)) << "edge-on";
+}
+
 TEST(KeyTransform, TheMouseMovesTheElementWithIt) {
     const GizmoView view = viewFrom(ViewerCamera::Axis::Top);
     const auto pixel = [&](const Eigen::Vector3d& point) {
@@ -144,6 +189,7 @@ TEST(PoseChange, SnapsToStepsOfTheHeldKeys) {
     EXPECT_NEAR(snap(GizmoPart::Yaw, true, true).yaw_rad, 50.0 * kPi / 180.0, 1e-9);
     // Along an axis of its own, the distance is in steps, not the coordinates.
     const Eigen::Vector3d way(std::cos(0.5), std::sin(0.5), 0.0);
+    EXPECT_EQ(snapped(GizmoPart::MoveYZ, {}, change, snapSteps(true, false)).offset_m.x(), 0.0);
     change.offset_m = 0.74 * way;
     EXPECT_TRUE(snap(GizmoPart::MoveX, true, false).offset_m.isApprox(0.7 * way, 1e-9));
     EXPECT_EQ(changeText(GizmoPart::Yaw, {}, {}, snapSteps(true, false)),
@@ -156,6 +202,9 @@ TEST(PoseChange, IsSaidInOneShortLine) {
     EXPECT_EQ(changeText(GizmoPart::MoveX, {}, change), "Move along x: 0.5 m");
     EXPECT_EQ(changeText(GizmoPart::MoveX, {0.0, true}, change), "Move along its own x: 0.5 m");
     EXPECT_EQ(changeText(GizmoPart::MoveFree, {}, change), "Move: x 0.5, y 0, z 0 m");
+    EXPECT_EQ(changeText(GizmoPart::MoveXZ, {}, change), "Move in the xz plane: 0.5, 0 m");
+    EXPECT_EQ(changeText(GizmoPart::MoveXY, {0.0, true}, change),
+              "Move in its own xy plane: 0.5, 0 m");
     change.yaw_rad = -0.5 * kPi;
     EXPECT_EQ(changeText(GizmoPart::Yaw, {}, change), "Rotate about z: -90\u00b0");
 }

@@ -8,6 +8,8 @@
 
 #include <numbers>
 #include <set>
+#include <string>
+#include <utility>
 
 namespace dollytrack::ui::viewer_camera_test {
 namespace {
@@ -30,6 +32,36 @@ TEST(ViewerCamera, LooksAtItsPivotFromItsDistance) {
     const Eigen::Vector2d above = pixelOf(camera, camera.pivot + Eigen::Vector3d(0, 0, 0.5));
     EXPECT_LT(above.y(), 300.0);
     EXPECT_NEAR(above.x(), 400.0, 1e-6);
+}
+
+TEST(ViewerCamera, SixStepsLeadFromOneAxisToTheNext) {
+    const auto after = [](ViewerCamera::Axis begin, int right, int up) -> std::string {
+        ViewerCamera camera;
+        camera.lookFrom(begin);
+        for (int i = 0; i < 6; ++i) camera.orbitBySteps(right, up);
+        return camera.axisName();
+    };
+    EXPECT_EQ(after(ViewerCamera::Axis::Front, 1, 0), "Right");
+    EXPECT_EQ(after(ViewerCamera::Axis::Front, -1, 0), "Left");
+    EXPECT_EQ(after(ViewerCamera::Axis::Front, 0, 1), "Top");
+    EXPECT_EQ(after(ViewerCamera::Axis::Front, 0, -1), "Bottom");
+    EXPECT_EQ(after(ViewerCamera::Axis::Top, 0, 1), "Top") << "it does not tip over";
+}
+
+TEST(ViewerCamera, LooksFromTheOppositeSide) {
+    using Axis = ViewerCamera::Axis;
+    ViewerCamera camera;
+    for (const auto& [from, to] : {std::pair(Axis::Front, "Back"), std::pair(Axis::Left, "Right"),
+                                   std::pair(Axis::Top, "Bottom")}) {
+        camera.lookFrom(from);
+        camera.lookFromOpposite();
+        EXPECT_STREQ(camera.axisName(), to);
+    }
+    camera = {};
+    const Eigen::Vector3d before = camera.pose().position;
+    camera.lookFromOpposite();
+    const Eigen::Vector3d moved = camera.pose().position - camera.pivot;
+    EXPECT_NEAR((moved - Eigen::Vector3d(-before.x(), -before.y(), before.z())).norm(), 0.0, 1e-9);
 }
 
 TEST(ViewerCamera, ZoomKeepsThePointUnderTheCursor) {

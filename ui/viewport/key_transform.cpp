@@ -5,9 +5,11 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace dollytrack::ui {
 namespace {
@@ -16,14 +18,20 @@ namespace {
 constexpr double kLargestNumber = 1000.0;
 constexpr std::size_t kMostCharacters = 12;
 
-void chooseAxis(KeyTransform& keys, int axis, bool tilts) {
+/// The number of values that can be typed.
+std::size_t fieldCount(const KeyTransform& keys) {
+    return std::max<std::size_t>(axesOf(keys.part).size(), 1);
+}
+
+void chooseAxis(KeyTransform& keys, int axis, bool tilts, bool locks) {
     if (keys.turns()) {
         if (axis == 2) keys.part = GizmoPart::Yaw;
         if (axis == 0 && tilts) keys.part = GizmoPart::Pitch;
         return;
     }
-    if (keys.part != moveAlong(axis)) {
-        keys.part = moveAlong(axis);
+    const GizmoPart wanted = locks ? moveWithout(axis) : moveAlong(axis);
+    if (keys.part != wanted) {
+        keys.part = wanted;
         keys.own_axes = false;
     } else if (!keys.own_axes) {
         keys.own_axes = true;
@@ -31,6 +39,18 @@ void chooseAxis(KeyTransform& keys, int axis, bool tilts) {
         keys.part = GizmoPart::MoveFree;
         keys.own_axes = false;
     }
+    for (std::size_t i = fieldCount(keys); i < keys.typed.size(); ++i) keys.typed[i].clear();
+    keys.field = std::min(keys.field, fieldCount(keys) - 1);
+}
+
+/// The intersection of a ray with the plane through `at`; nullopt if the ray does not meet it.
+std::optional<Eigen::Vector3d> onPlane(const render::ViewRay& ray, const Eigen::Vector3d& at,
+                                       const Eigen::Vector3d& normal) {
+    constexpr double kParallel = 0.01;  // a plane seen edge-on would follow the mouse wildly
+    const double towards = ray.direction.normalized().dot(normal);
+    const double away = (at - ray.origin).dot(normal);
+    if (std::abs(towards) < kParallel || away * towards <= 0.0) return std::nullopt;
+    return ray.origin + away / towards * ray.direction.normalized();
 }
 
 /// The angle by which the mouse has turned around the element on the screen, as a rotation about
@@ -60,22 +80,26 @@ Eigen::Vector3d offsetOfMouse(const KeyTransform& keys, const GizmoView& view,
         const auto now = nearestAlong(to, at, way);
         return before && now ? Eigen::Vector3d((*now - *before) * way) : Eigen::Vector3d::Zero();
     }
+    if (const auto locked = lockedAxis(keys.part)) {
+        const Eigen::Vector3d normal = MoveAxes{view.heading_rad, keys.own_axes}.direction(*locked);
+        const auto before = onPlane(from, at, normal);
+        const auto now = onPlane(to, at, normal);
+        return before && now ? Eigen::Vector3d(*now - *before) : Eigen::Vector3d::Zero();
+    }
     return onScreenPlane(to, view, at) - onScreenPlane(from, view, at);
 }
 
-/// Draws a line through the element along the axis of the move.
-void drawAxis(const KeyTransform& keys, const GizmoView& view) {
-    const auto axis = moveAxis(keys.part);
-    if (!axis) return;
+/// Draws a line through the element along an axis of the move.
+void drawAxis(const KeyTransform& keys, const GizmoView& view, int axis) {
     constexpr double kHalfLength_m = 50.0;
     constexpr int kSteps = 200;  // short pieces: those behind the camera are left out
-    const Eigen::Vector3d way = MoveAxes{view.heading_rad, keys.own_axes}.direction(*axis);
+    const Eigen::Vector3d way = MoveAxes{view.heading_rad, keys.own_axes}.direction(axis);
     std::optional<ImVec2> last;
     for (int i = -kSteps; i <= kSteps; ++i) {
         const std::optional<ImVec2> at =
             positionInWindow(view, keys.begin->position + kHalfLength_m * i / kSteps * way);
         if (last && at) {
-            ImGui::GetWindowDrawList()->AddLine(*last, *at, axisColor(*axis), scaled(1.4F));
+            ImGui::GetWindowDrawList()->AddLine(*last, *at, axisColor(axis), scaled(1.4F));
         }
         last = at;
     }
@@ -83,50 +107,65 @@ void drawAxis(const KeyTransform& keys, const GizmoView& view) {
 
 }  // namespace
 
-void typeCharacter(KeyTransform& keys, char character, bool tilts) {
+bool KeyTransform::hasNumber() const {
+    return std::ranges::any_of(typed, [](const std::string& one) { return !one.empty(); });
+}
+
+void typeCharacter(KeyTransform& keys, char character, bool tilts, bool shift) {
     const char small = static_cast<char>(character | 0x20);
-    if (small >= 'x' && small <= 'z') return chooseAxis(keys, small - 'x', tilts);
+    if (small >= 'x' && small <= 'z') return chooseAxis(keys, small - 'x', tilts, shift);
+    if (character == '\t') {
+        keys.field = (keys.field + 1) % fieldCount(keys);
+        return;
+    }
+    std::string& typed = keys.typed[keys.field];
     if (character == '-') {
-        if (keys.typed.starts_with('-')) {
-            keys.typed.erase(0, 1);
+        if (typed.starts_with('-')) {
+            typed.erase(0, 1);
         } else {
-            keys.typed.insert(0, 1, '-');
+            typed.insert(0, 1, '-');
         }
         return;
     }
     const bool point = character == '.' || character == ',';
-    if (point ? keys.typed.find('.') != std::string::npos : character < '0' || character > '9') {
-        return;
+    if (point ? typed.find('.') != std::string::npos : character < '0' || character > '9') return;
+    const std::string before = typed;
+    typed += point ? '.' : character;
+    if (typed.size() > kMostCharacters ||
+        std::abs(*typedNumber(keys, keys.field)) > kLargestNumber) {
+        typed = before;
     }
-    KeyTransform longer = keys;
-    longer.typed += point ? '.' : character;
-    if (longer.typed.size() > kMostCharacters) return;
-    if (std::abs(*typedNumber(longer)) <= kLargestNumber) keys = longer;
 }
 
 void eraseCharacter(KeyTransform& keys) {
-    if (!keys.typed.empty()) keys.typed.pop_back();
+    std::string& typed = keys.typed[keys.field];
+    if (!typed.empty()) typed.pop_back();
 }
 
-std::optional<double> typedNumber(const KeyTransform& keys) {
-    if (keys.typed.empty()) return std::nullopt;
+std::optional<double> typedNumber(const KeyTransform& keys, std::size_t field) {
+    const std::string& typed = keys.typed[field];
+    if (typed.empty()) return std::nullopt;
     double number = 0.0;
-    std::from_chars(keys.typed.data(), keys.typed.data() + keys.typed.size(), number);
+    std::from_chars(typed.data(), typed.data() + typed.size(), number);
     return number;
 }
 
 PoseChange changeOf(const KeyTransform& keys, const GizmoView& view,
                     const Eigen::Vector2d& cursor) {
     PoseChange change;
-    const std::optional<double> number = typedNumber(keys);
     if (!keys.turns()) {
+        if (!keys.hasNumber()) {
+            change.offset_m = offsetOfMouse(keys, view, cursor);
+            return change;
+        }
         const MoveAxes axes = {view.heading_rad, keys.own_axes};
-        // Without an axis, a number is along x.
-        change.offset_m =
-            number ? Eigen::Vector3d(*number * axes.direction(moveAxis(keys.part).value_or(0)))
-                   : offsetOfMouse(keys, view, cursor);
+        std::size_t field = 0;
+        for (const int axis : axesOf(keys.part)) {
+            change.offset_m += typedNumber(keys, field++).value_or(0.0) * axes.direction(axis);
+        }
         return change;
     }
+    const std::optional<double> number = typedNumber(keys);
     const bool pitch = keys.part == GizmoPart::Pitch;
     const Eigen::Vector3d axis =
         pitch ? Eigen::Vector3d(keys.begin->rotation * Eigen::Vector3d::UnitX())
@@ -146,13 +185,19 @@ GizmoActions followKeys(KeyTransform& keys, const GizmoView& view) {
         keys.cursor_at_begin = cursor;
     }
     for (const ImWchar character : io.InputQueueCharacters) {
-        if (character < 128) typeCharacter(keys, static_cast<char>(character), view.tilts);
+        if (character < 128) {
+            typeCharacter(keys, static_cast<char>(character), view.tilts, io.KeyShift);
+        }
     }
+    if (ImGui::IsKeyPressed(GLFW_KEY_TAB)) typeCharacter(keys, '\t', view.tilts);
     if (ImGui::IsKeyPressed(GLFW_KEY_BACKSPACE)) eraseCharacter(keys);
-    drawAxis(keys, view);
+    const std::vector<int> axes = axesOf(keys.part);
+    if (axes.size() < 3) {
+        for (const int axis : axes) drawAxis(keys, view, axis);
+    }
     GizmoActions actions;
     actions.change = changeOf(keys, view, cursor);
-    if (keys.typed.empty()) {
+    if (!keys.hasNumber()) {
         actions.steps = snapSteps(io.KeyCtrl, io.KeyShift);
         actions.change =
             snapped(keys.part, {view.heading_rad, keys.own_axes}, actions.change, actions.steps);

@@ -39,6 +39,14 @@ std::string exactText(GizmoPart part, const MoveAxes& axes, const PoseChange& ch
         return fmt::format("Move along {}{}: {} m", axes.own ? "its own " : "", "xyz"[*axis],
                            shortNumber(change.offset_m.dot(axes.direction(*axis))));
     }
+    if (lockedAxis(part)) {
+        const std::vector<int> plane = axesOf(part);
+        const auto along = [&](int axis) {
+            return shortNumber(change.offset_m.dot(axes.direction(axis)));
+        };
+        return fmt::format("Move in {} {}{} plane: {}, {} m", axes.own ? "its own" : "the",
+                           "xyz"[plane[0]], "xyz"[plane[1]], along(plane[0]), along(plane[1]));
+    }
     const Eigen::Vector3d& by = change.offset_m;
     return fmt::format("Move: x {}, y {}, z {} m", shortNumber(by.x()), shortNumber(by.y()),
                        shortNumber(by.z()));
@@ -53,6 +61,25 @@ std::optional<int> moveAxis(GizmoPart part) {
 
 GizmoPart moveAlong(int axis) {
     return static_cast<GizmoPart>(static_cast<int>(GizmoPart::MoveX) + axis);
+}
+
+std::optional<int> lockedAxis(GizmoPart part) {
+    const int axis = static_cast<int>(part) - static_cast<int>(GizmoPart::MoveYZ);
+    return axis >= 0 && axis < 3 ? std::optional(axis) : std::nullopt;
+}
+
+GizmoPart moveWithout(int axis) {
+    return static_cast<GizmoPart>(static_cast<int>(GizmoPart::MoveYZ) + axis);
+}
+
+std::vector<int> axesOf(GizmoPart part) {
+    if (const auto axis = moveAxis(part)) return {*axis};
+    std::vector<int> axes;
+    if (part != GizmoPart::MoveFree && !lockedAxis(part)) return axes;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis != lockedAxis(part)) axes.push_back(axis);
+    }
+    return axes;
 }
 
 Eigen::Vector3d MoveAxes::direction(int axis) const {
@@ -94,11 +121,11 @@ PoseChange snapped(GizmoPart part, const MoveAxes& axes, const PoseChange& chang
     PoseChange result = change;
     result.yaw_rad = snappedTo(change.yaw_rad, steps.turn_deg / kDegrees);
     result.pitch_rad = snappedTo(change.pitch_rad, steps.turn_deg / kDegrees);
-    if (const auto axis = moveAxis(part)) {
-        const Eigen::Vector3d way = axes.direction(*axis);
-        result.offset_m = snappedTo(change.offset_m.dot(way), steps.move_m) * way;
-    } else {
-        for (double& along : result.offset_m) along = snappedTo(along, steps.move_m);
+    const MoveAxes along = part == GizmoPart::MoveFree ? MoveAxes() : axes;
+    result.offset_m.setZero();
+    for (const int axis : axesOf(part)) {
+        const Eigen::Vector3d way = along.direction(axis);
+        result.offset_m += snappedTo(change.offset_m.dot(way), steps.move_m) * way;
     }
     return result;
 }

@@ -6,16 +6,24 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dollytrack::ui {
 
-/// What a gizmo handle or a key changes; MoveFree moves parallel to the screen.
-enum class GizmoPart { None, MoveX, MoveY, MoveZ, MoveFree, Yaw, Pitch };
+/// What a gizmo handle or a key changes; MoveFree moves parallel to the screen, MoveXY in the
+/// plane of these two axes.
+enum class GizmoPart { None, MoveX, MoveY, MoveZ, MoveYZ, MoveXZ, MoveXY, MoveFree, Yaw, Pitch };
 
 /// The axis of MoveX, MoveY and MoveZ: 0 to 2; nullopt for all others.
 [[nodiscard]] std::optional<int> moveAxis(GizmoPart part);
 /// MoveX, MoveY or MoveZ.
 [[nodiscard]] GizmoPart moveAlong(int axis);
+/// The axis that MoveYZ, MoveXZ and MoveXY lock: 0 to 2; nullopt for all others.
+[[nodiscard]] std::optional<int> lockedAxis(GizmoPart part);
+/// MoveYZ, MoveXZ or MoveXY: a move with this axis locked.
+[[nodiscard]] GizmoPart moveWithout(int axis);
+/// The axes that a move can follow: one, two, or three. Empty for rotations.
+[[nodiscard]] std::vector<int> axesOf(GizmoPart part);
 
 /// The directions that moves are constrained to: of the world, or of the element itself, whose x
 /// axis has a heading. z points up in both.
@@ -48,11 +56,12 @@ struct SnapSteps {
 /// too.
 [[nodiscard]] SnapSteps snapSteps(bool ctrl, bool shift);
 
-/// The nearest change in whole steps: along the axis, or along all three axes of the world.
+/// The nearest change in whole steps, along each of the move's axes.
 [[nodiscard]] PoseChange snapped(GizmoPart part, const MoveAxes& axes, const PoseChange& change,
                                  const SnapSteps& steps);
 
-/// "Move along x: 0.5 m", "Move along its own y: -2 m", "Rotate about z: 90° (steps of 15°)".
+/// "Move along x: 0.5 m", "Move in its own xy plane: -2, 0.5 m",
+/// "Rotate about z: 90° (steps of 15°)".
 [[nodiscard]] std::string changeText(GizmoPart part, const MoveAxes& axes, const PoseChange& change,
                                      const SnapSteps& steps = {});
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRadiansPerPixel = 0.006;
+constexpr double kSame_rad = 1e-6;  // smaller differences from an axis are rounding
 
 }  // namespace
 
@@ -120,15 +121,28 @@ void ViewerCamera::lookFrom(Axis axis) {
     }
 }
 
+void ViewerCamera::orbitBySteps(int to_the_right, int upwards) {
+    constexpr double kStep_rad = kPi / 12.0;
+    azimuth += kStep_rad * to_the_right;
+    elevation = std::clamp(elevation + kStep_rad * upwards, -kPi / 2.0, kPi / 2.0);
+}
+
+void ViewerCamera::lookFromOpposite() {
+    if (kPi / 2.0 - std::abs(elevation) < kSame_rad) {
+        elevation = -elevation;
+    } else {
+        azimuth = std::remainder(azimuth + kPi, 2.0 * kPi);
+    }
+}
+
 const char* ViewerCamera::axisName() const {
-    constexpr double kSame = 1e-6;
     const auto is = [&](double wanted) {
-        return std::abs(std::remainder(azimuth - wanted, 2.0 * kPi)) < kSame;
+        return std::abs(std::remainder(azimuth - wanted, 2.0 * kPi)) < kSame_rad;
     };
-    if (kPi / 2.0 - std::abs(elevation) < kSame && is(-kPi / 2.0)) {
+    if (kPi / 2.0 - std::abs(elevation) < kSame_rad && is(-kPi / 2.0)) {
         return elevation > 0.0 ? "Top" : "Bottom";
     }
-    if (std::abs(elevation) > kSame) return "User";
+    if (std::abs(elevation) > kSame_rad) return "User";
     if (is(-kPi / 2.0)) return "Front";
     if (is(kPi / 2.0)) return "Back";
     if (is(0.0)) return "Right";

@@ -35,6 +35,11 @@ struct ViewerCamera {
     void look(double dx, double dy);
     void frame(const Eigen::AlignedBox3d& box, double aspect);
     void lookFrom(Axis axis);
+    /// Moves the eye around the pivot by steps of 15 degrees.
+    void orbitBySteps(int to_the_right, int upwards);
+    /// Looks from the opposite side: turned by 180 degrees about the vertical, or, in a view along
+    /// the vertical, from its other end.
+    void lookFromOpposite();
     /// "Front", "Top" …; "User" if the view is along no axis.
     [[nodiscard]] const char* axisName() const;
     /// Takes the position and direction of a camera of the plan; the pivot lies `pivot_distance` m

@@ -268,11 +268,45 @@ class Looking(Task):
         middle = ((left + right) / 2, (top + bottom) / 2)
         state = self.editor.drag(middle, (middle[0] + 30, middle[1] - 20), button="middle")
         self.assertEqual(state["view_name"], "User Perspective")
-        self.assertTrue(self.editor.key("KP_0")["through_camera"])
-        self.assertEqual(self.editor.key("KP_0")["through_camera"], False)
         self.select_row(MUG)
         self.assertTrue(self.editor.key("num/")["local_view"])
         self.assertFalse(self.editor.key("num/")["local_view"])
+
+    def test_the_number_pad_orbits(self):
+        self.start_room()
+        before = self.editor.key("KP_1")["camera"]
+        for key, name, value in (("KP_6", "azimuth", 15), ("KP_8", "elevation", 15),
+                                 ("KP_4", "azimuth", 0), ("KP_2", "elevation", 0)):
+            turned = self.editor.key(key)["camera"][name] - before[name]
+            self.assertAlmostEqual(math.degrees(turned), value, 6, key)
+        self.assertEqual(self.editor.key("KP_9")["view_name"], "Back Perspective")
+        self.assertTrue(self.editor.key("KP_0")["through_camera"])
+        state = self.editor.key("KP_8")
+        self.assertFalse(state["through_camera"])
+        self.assertAlmostEqual(math.degrees(state["camera"]["elevation"]), 15, 6)
+
+    def test_leaving_the_camera_restores_the_view_before(self):
+        self.start_room()
+        self.editor.point("viewport")
+        self.editor.wheel("viewport", 4)
+        self.editor.key("KP_5")
+        before = self.editor.state()["camera"]
+        self.assertTrue(before["orthographic"])
+        self.assertTrue(self.editor.key("KP_0")["through_camera"])
+        state = self.editor.key("KP_0")
+        self.assertEqual((state["through_camera"], state["camera"]), (False, before))
+        self.editor.key("KP_0")
+        camera = self.editor.key("KP_7")["camera"]
+        self.assertEqual(camera["elevation"], math.pi / 2)
+        for name in ("pivot", "distance", "orthographic"):
+            self.assertEqual(camera[name], before[name])
+        self.editor.key("KP_0")
+        left, top, right, bottom = self.editor.item("viewport")[:4]
+        middle = ((left + right) / 2, (top + bottom) / 2)
+        state = self.editor.drag(middle, (middle[0] + 30, middle[1]), button="middle")
+        self.assertFalse(state["through_camera"])
+        for name in ("pivot", "distance", "orthographic"):
+            self.assertEqual(state["camera"][name], before[name])
 
     def test_frame_the_selected_object(self):
         self.start_room()
@@ -283,6 +317,11 @@ class Looking(Task):
             camera = self.editor.key(key)["camera"]
             self.assertLess(math.dist(camera["pivot"], (3.145, -1.245, 0.79)), 0.02)
             self.assertLess(camera["distance"], 1.0)
+        for view in ("1", "3", "ctrl+1", "ctrl+3"):  # whatever hides it
+            before = self.editor.key(view)["camera"]
+            camera = self.editor.key("f")["camera"]
+            for angle in ("azimuth", "elevation"):
+                self.assertEqual(camera[angle], before[angle], view)
 
     def test_look_through_the_camera_and_leave_it(self):
         self.start_room()

@@ -44,6 +44,27 @@ class Transforms(Task):
         self.press("ctrl+z")
         self.assertOffset([0, 0, 0])
 
+    def test_lock_an_axis_and_type_a_move_in_the_plane(self):
+        self.with_the_sofa()
+        state = self.press("g", "shift+z")
+        self.assertTrue(state["drag_text"].startswith("Move in the xy plane: "), state["drag_text"])
+        self.editor.type("0.5")
+        self.press("tab")
+        state = self.editor.type("0.2")
+        self.assertEqual(state["drag_text"], "Move in the xy plane: 0.5, 0.2 m")
+        self.press("enter")
+        self.assertOffset([0.5, 0.2, 0])
+        self.assertEqual(self.editor.state()["selected"], [SOFA], "Tab and Enter reach no widget")
+        self.over_the_viewport()
+        self.press("g", "shift+z")
+        x, y = self.editor.mouse
+        self.editor.move(x + 60, y + 30)
+        self.editor.state()
+        self.press("enter")
+        moved = self.move()["offset_m"]
+        self.assertGreater(math.dist(moved[:2], (0.5, 0.2)), 0.1)
+        self.assertEqual(moved[2], 0)
+
     def test_the_object_itself_moves_while_it_is_moved(self):
         self.with_the_sofa()
         self.press("7")

@@ -143,7 +143,10 @@ bool drawHits(const CommandPaletteView& view, CommandPaletteState& state, bool m
     const bool enter =
         ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
     bool done = false;
-    if (state.hits.empty()) ImGui::TextDisabled("No match.");
+    if (state.hits.empty()) {
+        ImGui::TextDisabled("No match.");
+        return false;  // a child of height 0 would fill the rest of the screen
+    }
     const float row = ImGui::GetTextLineHeight() + 2 * scaled(6) + ImGui::GetStyle().ItemSpacing.y;
     const float most = ImGui::GetIO().DisplaySize.y * 0.6F;
     ImGui::BeginChild("hits", {0, std::min(most, row * static_cast<float>(state.hits.size()))});

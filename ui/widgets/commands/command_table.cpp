@@ -80,9 +80,10 @@ bool movesFocus(int key) {
 /// Whether the keys were pressed this frame and no text field or focused widget uses them itself.
 bool isPressed(const Shortcut& keys, const CommandTable::KeySigns& signs) {
     const ImGuiIO& io = ImGui::GetIO();
-    // Only stepping and undo shortcuts repeat while a key is held.
-    const bool repeats = keys.key == GLFW_KEY_LEFT || keys.key == GLFW_KEY_RIGHT ||
-                         keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y;
+    // Only stepping, orbiting and undo shortcuts repeat while a key is held.
+    constexpr std::array kRepeating = {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_Z,    GLFW_KEY_Y,
+                                       GLFW_KEY_KP_2, GLFW_KEY_KP_4,  GLFW_KEY_KP_6, GLFW_KEY_KP_8};
+    const bool repeats = std::ranges::find(kRepeating, keys.key) != kRepeating.end();
     if (keys.key == 0) return false;
     if (keys.ctrl != io.KeyCtrl || keys.alt != io.KeyAlt) return false;
     const bool pressed = ImGui::IsKeyPressed(keys.key, repeats);
