@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -393,8 +394,9 @@ TEST(AwkwardScene, OfTexturesWithOneNameThatOfTheSameFolderIsUsed) {
     const TempFolder folder;
     for (const std::string place : {"2", "deep/TV", "A"}) {
         std::filesystem::create_directories(folder.path() / place);
-        static_cast<void>(folder.write(
-            place + "/images.ppm", "P6 1 1 255\n" + place.substr(0, 1) + place.substr(0, 1) + "0"));
+        static_cast<void>(
+            folder.write(place + "/images.ppm",
+                         "P6\n1 1\n255\n" + place.substr(0, 1) + place.substr(0, 1) + "0"));
     }
     static_cast<void>(folder.write("room.mtl",
                                    "newmtl tv\nmap_Kd C:\\work\\tv\\images.ppm\n"
