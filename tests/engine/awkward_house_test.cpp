@@ -263,7 +263,7 @@ ObjWriter hallOfTables(const Eigen::Vector3d& low, const Eigen::Vector3d& high) 
 TEST(AwkwardHouse, AHallAroundFewTablesIsTheBuilding) {
     const Scene hall = importedText(hallOfTables({0, 0, 0}, {24, 10, 2.9}).text());
     EXPECT_NEAR(hall.room_bounds.sizes().x(), 24.0, 1e-3);
-    EXPECT_EQ(countTargets(hall), 5);
+    EXPECT_EQ(test::countTargets(hall), 5);
     // A landscape has its bottom below the floor, and a dome is high.
     for (const auto& [low, high] : {std::pair(-1.0, 2.9), std::pair(0.0, 12.0)}) {
         const Scene scene = importedText(hallOfTables({0, 0, low}, {24, 10, high}).text());
