@@ -370,6 +370,15 @@ class EngineTest(RoomCase):
         self.assertEqual(seen[-1], 1.0)
         self.assertEqual(seen, sorted(seen))
 
+    def test_rendered_pixels_without_a_class_have_the_void_id(self):
+        labels = self.folder / "labels.json"
+        labels.write_text(json.dumps({"classes": [{"id": 0, "name": "table", "matches": ["table"]}]}))
+        scene = dt.load(self.room, labels=labels)
+        self.assertEqual((self.scene.void_id, scene.void_id, scene.classes), (0, 255, {0: "table"}))
+        table = scene["table"].id
+        for frame in scene.plan(max_frames=3, **SIZE).render("semantic", "instance"):
+            np.testing.assert_array_equal(frame["semantic"], np.where(frame["instance"] == table, 0, 255))
+
     def test_a_modality_asked_for_twice_is_one_image(self):
         [frame] = self.plan.render("rgb", "rgb", range="0:1")
         [once] = self.plan.render("rgb", range="0:1")
