@@ -2,6 +2,7 @@
 #include "app/cli/export/room_exports.h"
 #include "app/cli/plan/metrics_table.h"
 #include "app/cli/terminal/output_file.h"
+#include "app/gather/sources/source_search.h"
 #include "app/statistics/dataset_statistics.h"
 #include "app/statistics/statistics_page.h"
 #include "engine/core/log.h"
@@ -11,6 +12,7 @@
 
 #include <filesystem>
 #include <set>
+#include <utility>
 
 namespace dollytrack::cli {
 namespace {
@@ -62,12 +64,17 @@ Result<std::vector<DatasetStatistics>> collectAll(const std::vector<std::string>
     return datasets;
 }
 
-Result<ExitCode> runStatistics(const StatisticsArguments& arguments, const Session& session) {
+Result<ExitCode> runStatistics(StatisticsArguments arguments, const Session& session) {
+    arguments.folders =
+        gather::withoutFilesBesideFolders(std::move(arguments.folders), "statistics");
     if (arguments.folders.size() > statistics::kMostDatasets) {
-        return fail(ErrorCode::Usage,
-                    fmt::format("{} datasets were given; at most {} are compared.",
-                                arguments.folders.size(), statistics::kMostDatasets),
-                    "datasets");
+        return fail(
+            ErrorCode::Usage,
+            fmt::format(
+                "{} datasets were given; at most {} can be compared on one page: give fewer, "
+                "or make several pages.",
+                arguments.folders.size(), statistics::kMostDatasets),
+            "datasets");
     }
     for (const std::string& folder : arguments.folders) {
         if (const Status status = refuseRooms(folder); !status) {

@@ -4,6 +4,7 @@
 #include "app/batch/file_pattern.h"
 #include "app/batch/scene_files.h"
 #include "app/cli/export/room_exports.h"
+#include "engine/core/log.h"
 #include "engine/core/name_pattern.h"
 #include "engine/core/natural_order.h"
 #include "render/dataset/folder/dataset_journal.h"
@@ -157,9 +158,25 @@ std::vector<FoundDataset> named(const std::vector<fs::path>& folders) {
 
 }  // namespace
 
+std::vector<std::string> withoutFilesBesideFolders(std::vector<std::string> arguments,
+                                                   std::string_view subsystem) {
+    const auto is_folder = [](const std::string& argument) {
+        std::error_code error;
+        return fs::is_directory(argument, error);
+    };
+    if (std::ranges::none_of(arguments, is_folder)) return arguments;
+    std::erase_if(arguments, [&](const std::string& argument) {
+        std::error_code error;
+        if (!fs::is_regular_file(argument, error)) return false;
+        log::warn(subsystem, fmt::format("{}: not a folder; left out", argument));
+        return true;
+    });
+    return arguments;
+}
+
 Result<std::vector<FoundDataset>> findDatasets(const std::vector<std::string>& arguments) {
     DatasetSearch search;
-    for (const std::string& argument : arguments) {
+    for (const std::string& argument : withoutFilesBesideFolders(arguments, "gather")) {
         std::error_code error;
         const bool is_there = fs::exists(argument, error);
         if (is_there && !fs::is_directory(argument, error)) {

@@ -6,6 +6,7 @@
 #include "app/cli/plan/metrics_table.h"
 #include "app/python/bindings/arrays.h"
 #include "engine/camera/intrinsics.h"
+#include "engine/core/field_list.h"
 #include "engine/io/settings/project_file.h"
 #include "engine/plan/ledger_json.h"
 #include "engine/scene/scene_report.h"
@@ -385,12 +386,15 @@ Status checkDrawable(const std::vector<std::string>& names) {
                                    "residual"};
     for (const std::string& name : names) {
         if (std::ranges::find(kDrawn, name) != kDrawn.end()) continue;
-        // A misspelt name gets a suggestion.
-        if (const auto known = render::chooseModalities({name}); !known) {
-            return tl::unexpected(known.error());
+        const std::vector<std::string> known(kDrawn.begin(), kDrawn.end());
+        const bool exported = render::chooseModalities({name}).has_value();
+        const std::string close = closestName(name, known);
+        if (!exported && !close.empty()) {
+            return fail(ErrorCode::Usage, "There is no such image; did you mean '" + close + "'?",
+                        name);
         }
         std::string all;
-        for (const char* drawn : kDrawn) all += (all.empty() ? "" : ", ") + std::string(drawn);
+        for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
         return fail(ErrorCode::Usage, "render() has " + all + "; export() writes the others.",
                     name);
     }

@@ -162,6 +162,8 @@ void bindScene(py::module_& module) {
         .def("report", &OpenScene::reportJson)
         .def("objects", &OpenScene::objects)
         .def("classes", &classesOf)
+        .def_property_readonly(
+            "void_id", [](const OpenScene& s) { return s.scene().classes().voidClass().id; })
         .def("vertices",
              [](const OpenScene& s) {
                  const auto& points = s.scene().positions;

@@ -54,12 +54,11 @@ void handOnLog() {
     }
     for (const log::Record& record : records) {
         constexpr int kPythonLevels[] = {10, 20, 30, 40};  // levels of Python's logging module
-        const py::object logger =
-            py::module_::import("logging").attr("getLogger")("dollytrack." + record.subsystem);
         const std::string count =
             record.repeats > 1 ? " (" + std::to_string(record.repeats) + " times)" : "";
-        logger.attr("log")(kPythonLevels[static_cast<int>(record.level)], "%s%s",
-                           textOf(record.message), count);
+        py::module_::import("dollytrack.arguments")
+            .attr("log")(record.subsystem, kPythonLevels[static_cast<int>(record.level)],
+                         textOf(record.message), count);
     }
 }
 

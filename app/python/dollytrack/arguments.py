@@ -1,16 +1,20 @@
 """Converts callers' arguments for the engine: parameters, paths, lists, progress."""
 import inspect
+import logging
 import operator
 import os
 import sys
 import textwrap
-from typing import Any, Callable, Dict, Iterable, List, NamedTuple, Optional, Tuple, Union
+import weakref
+from contextlib import nullcontext
+from typing import Any, Callable, ContextManager, Dict, Iterable, List, NamedTuple, Optional, Tuple, TypeVar, Union
 
 from . import _core
-from .errors import Usage, failure
+from .errors import Usage, failure, in_python
 
 Path = Union[str, "os.PathLike[str]"]
 Value = Union[bool, int, float, str]
+_Function = TypeVar("_Function", bound=Callable[..., Any])
 Progress = Union[None, bool, Callable[[float, str], object]]
 
 
@@ -118,7 +122,7 @@ class _ShortSignature(inspect.Signature):
 
 
 def takes_parameters(often_used: Iterable[str], sections: Optional[Iterable[str]] = None
-                     ) -> Callable[[Any], Any]:
+                     ) -> Callable[[_Function], _Function]:
     """Decorator: adds the parameters to the signature of a method with **parameters, and those that
     are often used to its documentation. None: the parameters of all sections."""
 
@@ -189,8 +193,33 @@ def reporter(progress: Progress) -> Optional[Callable[[float, str], object]]:
     return progress
 
 
+def finish(report: Optional[Callable[[float, str], object]]) -> None:
+    """Reports that a call has succeeded: the engine's last report may come before its last step."""
+    if report is not None:
+        report(1.0, "done")
+
+
+def log(subsystem: str, level: int, message: str, count: str) -> None:
+    """Passes a record of the engine to Python's logger; called by the module _core."""
+    with _Bar.aside():
+        logging.getLogger(f"dollytrack.{subsystem}").log(level, "%s%s", in_python(message), count)
+
+
 class _Bar:
     """A progress bar of tqdm if it is installed, otherwise a line on stderr."""
+
+    _shown: "weakref.WeakSet[_Bar]" = weakref.WeakSet()
+
+    @classmethod
+    def aside(cls) -> ContextManager[object]:
+        """Hides the bars while something else is written to the terminal."""
+        bars = [one.bar for one in cls._shown if one.bar is not None]
+        if bars:
+            mode: ContextManager[object] = type(bars[0]).external_write_mode(file=sys.stderr)
+            return mode
+        if len(cls._shown):
+            sys.stderr.write("\n")
+        return nullcontext()
 
     def __init__(self) -> None:
         try:
@@ -198,8 +227,9 @@ class _Bar:
         except ImportError:
             self.bar: Any = None
         else:
-            self.bar = tqdm(total=100, unit="%", bar_format="{desc}: {percentage:3.0f}%|{bar}| "
+            self.bar = tqdm(total=100, unit="%", bar_format="{desc}{percentage:3.0f}%|{bar}| "
                                                             "{elapsed}<{remaining}")
+        self._shown.add(self)
 
     def __call__(self, fraction: float, stage: str) -> None:
         if self.bar is None:

@@ -6,7 +6,7 @@ import operator
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import (TYPE_CHECKING, Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple,
-                    Union, overload)
+                    TypeVar, Union, overload)
 
 import numpy as np
 import numpy.typing as npt
@@ -19,12 +19,16 @@ if TYPE_CHECKING:
 
     from .torch_dataset import TorchDataset
 
+    from torch import Tensor
+
+    Pair = Tuple[Tensor, Dict[str, Tensor]]
     _Samples = Sequence["Sample"]
     _Images = Mapping[str, npt.NDArray[Any]]
 else:
     _Samples = Sequence
     _Images = Mapping
 
+_Result = TypeVar("_Result")
 
 #: The modalities that can be read, with the scale of their pixel values; None: values as stored.
 _READ: Dict[str, Optional[float]] = {
@@ -76,7 +80,9 @@ class Sample(_Images):
 
     rgb, albedo, rgb_right, rgb_sensor: (H, W, 3) uint8, sRGB. depth, depth_right, depth_sensor:
     (H, W) float32, metres along the viewing axis, 0 where no surface is visible. instance: (H, W)
-    uint16, semantic: (H, W) uint8 (uint16 if a class id is above 255); 0: no object or class.
+    uint16, Dataset.objects' ids, 0: no object. semantic: (H, W) uint8 (uint16 if a class id is above 255),
+    ids of Dataset.classes; Dataset.void_id: no class, which is 0 with NYU40 but not with own classes
+    that use 0.
     normal_world, normal_camera: (H, W, 3) float32 unit vectors. object_coordinates: (H, W, 3) float32,
     0 .. 1. disparity: (H, W) float32, px. roughness, metallic: (H, W) float32, 0 .. 1.
     """
@@ -109,7 +115,8 @@ class Sample(_Images):
 
     @property
     def labels(self) -> npt.NDArray[np.int64]:
-        """(n,) class id of each box, a key of Dataset.classes."""
+        """(n,) class id of each box, a key of Dataset.classes. Objects of unknown class are 40 (otherprop)
+        with NYU40, but Dataset.void_id in semantic images."""
         labels: npt.NDArray[np.int64] = self._annotations("labels")
         return labels
 
@@ -168,8 +175,20 @@ def _why_no_dataset(folder: Path) -> str:
 
 class Dataset(_Samples):
     """A dataset in a folder, or some of its frames. Indexing gives a Sample; a slice or an array of
-    indices or booleans gives a Dataset of those frames. Image files are read on access. It can be
-    passed to other processes.
+    indices or booleans (also a PyTorch tensor) gives a Dataset of those frames. Image files are read on
+    access. It can be passed to other processes.
+
+    folder: path of the dataset.
+    modalities: names of the images that can be read; Sample describes their arrays.
+    size: width and height of the images, px.
+    intrinsics: (3, 3) camera matrix, px. The centre of the first pixel is at (0.5, 0.5); OpenCV has it
+        at (0, 0): subtract 0.5 from cx and cy for it.
+    classes: class names by id; ids are the values of labels and semantic images.
+    void_id: the value of semantic images where there is no class: 0 with NYU40; with own classes 0, or
+        255 or 65535 if 0 is a class, or the "void" of the file of classes.
+    objects: the scene's objects, each with id (the value in instance images), name, nyu40 (class id),
+        role ("target", "structure" or "excluded"), box (center and size, m, world; yaw_rad) and
+        relations; with own classes also class_id.
 
     Raises BadInput if the folder contains no complete dataset, or one of its files is damaged.
     """
@@ -195,17 +214,19 @@ class Dataset(_Samples):
             #: Class names by id; ids are the values of semantic images and labels.
             self.classes: Dict[int, str] = {row["id"]: row["name"]
                                             for row in self._card["classes"][1:]}
+            #: The value of semantic images where there is no class.
+            self.void_id: int = int(self._card["classes"][0]["id"])
             #: Names of the images that the dataset has and that can be read.
             self.modalities: List[str] = [m for m in self._card["modalities"] if m in _READ]
-            #: The scene's objects: id, name, nyu40, role, box, relations.
+            #: The scene's objects: id, name, nyu40, role, box, relations and so on.
             self.objects: List[Dict[str, Any]] = self._card["objects"]
             camera = self._card["conventions"]["intrinsics"]
             #: Width and height of the images, px.
             self.size: Tuple[int, int] = (int(camera["width"]), int(camera["height"]))
-            #: (3, 3) camera matrix, px; the centre of the first pixel is at (0.5, 0.5).
+            #: (3, 3) camera matrix, px; the centre of the first pixel is at (0.5, 0.5), not (0, 0).
             self.intrinsics: npt.NDArray[np.float64] = np.array(
                 [[camera["fx"], 0, camera["cx"]], [0, camera["fy"], camera["cy"]], [0, 0, 1]], float)
-        except (KeyError, TypeError, ValueError, OverflowError):
+        except (KeyError, IndexError, TypeError, ValueError, OverflowError):
             raise failure(BadInput, "A field is missing or of the wrong type; export the dataset "
                           "again.", str(file)) from None
         self._cache: Dict[str, Any] = {}  # shared by the parts of this dataset
@@ -328,19 +349,36 @@ class Dataset(_Samples):
         part._indices = np.asarray(indices, dtype=np.int64).reshape(-1)
         return part
 
-    def torch(self, boxes: Optional[str] = "coco", images: Sequence[str] = (), pad: bool = True,
-              transform: Optional[Callable[[Any, Dict[str, Any]], Any]] = None) -> "TorchDataset":
+    @overload
+    def torch(self, boxes: Optional[str] = "coco", images: Union[str, Sequence[str]] = (),
+              pad: Union[bool, int] = True, transform: None = None) -> "TorchDataset[Pair]": ...
+
+    @overload
+    def torch(self, boxes: Optional[str] = "coco", images: Union[str, Sequence[str]] = (),
+              pad: Union[bool, int] = True, *,
+              transform: Callable[[Tensor, Dict[str, Tensor]], _Result]
+              ) -> "TorchDataset[_Result]": ...
+
+    def torch(self, boxes: Optional[str] = "coco", images: Union[str, Sequence[str]] = (),
+              pad: Union[bool, int] = True, transform: Optional[Callable[..., Any]] = None) -> Any:
         """The dataset for torch.utils.data.DataLoader: pairs of an image and a target. Needs PyTorch.
 
         The image is a (3, H, W) float32 tensor, 0 .. 1. The target is a dict of tensors: boxes (K, 4)
-        float32 px, labels (K,) int64, count (number of boxes) and image_id (the sample's index).
+        float32 px, labels (K,) int64, count (number of boxes) and image_id (the sample's index), both
+        int64 scalars, and the images asked for.
 
         boxes: "coco" (x, y, width, height), "xyxy" (two corners), "yolo" (centre and size as
-            fractions of the image size); None: no boxes and labels.
+            fractions of the image size); None: no boxes, labels and count.
         images: further images of the dataset to put into the target, such as "depth" and "semantic".
-        pad: pad boxes with 0 and labels with -1 to the largest number in a frame, so that all targets
-            have one shape. If False, pass collate_fn=data.torch(...).collate to the loader.
+            instance and semantic are (H, W) int64; depth and other numbers (H, W) float32; normals
+            (3, H, W) float32; colours (3, H, W) uint8.
+        pad: True: pad boxes with 0 and labels with -1 to the largest number in a frame, so that all
+            targets have one shape. A whole number: pad to that number, so that several datasets have
+            one shape, too. False: do not pad; pass collate_fn=data.torch(...).collate to the loader,
+            whose batches are then the images as one (B, 3, H, W) tensor and a list of B targets.
         transform: called with image and target; its result is returned instead of the pair.
+
+        Raises Usage if a frame has more boxes than `pad`.
         """
         from .torch_dataset import TorchDataset
         return TorchDataset(self, boxes, images, pad, transform)
@@ -352,7 +390,9 @@ class Dataset(_Samples):
     def __getitem__(self, index: Union[slice, Sequence[int], npt.NDArray[Any]]) -> "Dataset": ...
 
     def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, slice) or isinstance(index, (list, tuple, np.ndarray)):
+        many = isinstance(index, (list, tuple)) or (
+            hasattr(index, "__array__") and getattr(index, "ndim", 0) > 0)
+        if isinstance(index, slice) or (many and not (isinstance(index, tuple) and not index)):
             chosen: Any = index if isinstance(index, slice) else np.asarray(index)
             if isinstance(chosen, np.ndarray) and not chosen.size:
                 return self._part([])
@@ -361,9 +401,13 @@ class Dataset(_Samples):
                               "index")
             return self._part(self._indices[chosen])
         try:
+            if isinstance(index, bool) or (hasattr(index, "__array__")
+                                           and np.asarray(index).dtype.kind == "b"):
+                raise TypeError
             number = operator.index(index)
         except TypeError:
-            raise failure(Usage, f"An index must be a whole number, not {type(index).__name__}.",
+            raise failure(Usage, "An index must be a whole number, a slice or a list of whole numbers, "
+                          f"not {type(index).__name__}.",
                           "index") from None
         if not -len(self) <= number < len(self):
             raise IndexError(f"there are {len(self)} frames")

@@ -4,7 +4,8 @@ from __future__ import annotations
 import csv
 import io
 import json
-from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Union
+from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, NoReturn, Optional,
+                    Sequence, Union)
 
 import numpy as np
 import numpy.typing as npt
@@ -24,8 +25,9 @@ class Frame(Mapping[str, npt.NDArray[Any]]):
     """One rendered frame: its images by name, as in frame["rgb"], and its camera.
 
     rgb, albedo, rgb_right: (H, W, 3) uint8, sRGB. depth, depth_right: (H, W) float32, metres along
-    the viewing axis, 0 where no surface is visible. instance, semantic: (H, W) uint16, ids of objects
-    and classes; 0: none. normal_world, normal_camera: (H, W, 3) float32 unit vectors. hdr and the
+    the viewing axis, 0 where no surface is visible. instance: (H, W) uint16, ids of objects, 0: none.
+    semantic: (H, W) uint16, ids of Scene.classes; Scene.void_id: no class, which is 0 with NYU40 but
+    not with own classes that use 0. normal_world, normal_camera: (H, W, 3) float32 unit vectors. hdr and the
     layers of light: (H, W, 3) float32, linear, exposed as rgb.
     """
 
@@ -80,7 +82,8 @@ class Frames(Iterator[Frame]):
 
 
 class Plan:
-    """A planned trajectory, made by Scene.plan(). Immutable."""
+    """A planned trajectory, made by Scene.plan(). Immutable. It cannot be passed to other processes:
+    save() it and load it there."""
 
     def __init__(self, core: "_core.Plan", scene: "Scene") -> None:
         if not isinstance(core, _core.Plan):
@@ -216,6 +219,7 @@ class Plan:
         The result is that of 'dollytrack export --json'. After Ctrl-C the finished frames are kept;
         resume=True continues after them.
         """
+        report = arguments.reporter(progress)
         text = self._core.export(
             folder=arguments.path(folder, "folder"),
             preset="" if preset is None else _text(preset, "preset"),
@@ -227,9 +231,14 @@ class Plan:
             rig=b"" if rig is None else arguments.path(rig, "rig"),
             cameras=arguments.words(cameras, "cameras"), still=bool(still),
             overwrite=bool(overwrite), resume=bool(resume), gl=_text(gl, "gl"),
-            assignments=arguments.assignments(parameters), progress=arguments.reporter(progress))
+            assignments=arguments.assignments(parameters), progress=report)
+        arguments.finish(report)
         summary: Dict[str, Any] = json.loads(text)
         return summary
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Plan cannot be passed to another process or pickled; use plan.save(file), and "
+                        "dollytrack.load(file).saved_plan() there")
 
     def __len__(self) -> int:
         return len(self.times)

@@ -7,7 +7,7 @@ import shutil
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
-from typing import Any, Dict, Iterable, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, Iterator, List, NoReturn, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -141,6 +141,12 @@ class Scene:
         return self._core.classes()
 
     @property
+    def void_id(self) -> int:
+        """The value of semantic images where there is no class: 0 with NYU40; with `labels` 0, or 255 or
+        65535 if 0 is a class, or the file's "void"."""
+        return self._core.void_id
+
+    @property
     def boxes(self) -> npt.NDArray[np.float64]:
         """(K, 7) upright boxes of all objects: centre x, y, z, and size along the box's axes, m; yaw."""
         rows = [[*o.center, *o.size, o.yaw] for o in self.objects]
@@ -201,6 +207,9 @@ class Scene:
         core = self._core.stored_plan(progress=arguments.reporter(progress))
         return None if core is None else Plan(core, self)
 
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Scene cannot be passed to another process or pickled; load its file there")
+
     def __repr__(self) -> str:
         targets = sum(o.role == "target" for o in self.objects)
         return f"<Scene {self.name!r}: {len(self)} objects, {targets} of them targets>"
@@ -244,13 +253,23 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
     if isinstance(models, (str, bytes)) or hasattr(models, "__fspath__"):
         models = [models]  # type: ignore[list-item]
     return Scene(_core.open_scene(
-        path=arguments.path(path, "path"), unit_m=None if unit_m is None else float(unit_m),
+        path=arguments.path(path, "path"), unit_m=_metres(unit_m),
         up_axis=up_axis, labels=None if labels is None else arguments.path(labels, "labels"),
         models=[arguments.path(one, "models") for one in models or ()],
         annotations=None if annotations is None else arguments.path(annotations, "annotations"),
         keep_meshes=bool(keep_meshes), convert=bool(convert),
         cloud=arguments.assignments(cloud or {}),
         progress=arguments.reporter(progress)))
+
+
+def _metres(unit_m: Optional[float]) -> Optional[float]:
+    try:
+        if isinstance(unit_m, str):
+            raise TypeError
+        return None if unit_m is None else float(unit_m)
+    except (TypeError, ValueError):
+        raise failure(Usage, f"{unit_m!r} is not a number: give metres per unit, such as 0.01 for cm or "
+                             "0.0254 for inches.", "unit_m") from None
 
 
 @arguments.takes_parameters(("camera_radius_m", "width_px", "height_px", "hfov_deg"),

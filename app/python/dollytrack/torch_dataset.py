@@ -1,12 +1,15 @@
 """Datasets for PyTorch's DataLoader."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple
+import operator
+from typing import (TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, TypeVar,
+                    Union)
 
 import numpy as np
 import numpy.typing as npt
 import torch
 
+from .dataset import Sample
 from .errors import Usage, failure
 
 if TYPE_CHECKING:
@@ -15,14 +18,20 @@ if TYPE_CHECKING:
 _FORMS = ("coco", "xyxy", "yolo")
 
 
-class TorchDataset(torch.utils.data.Dataset):  # type: ignore
+_Item = TypeVar("_Item", covariant=True)
+
+
+class TorchDataset(torch.utils.data.Dataset[_Item]):
     """Pairs of an image and a target; see Dataset.torch()."""
 
-    def __init__(self, dataset: "Dataset", boxes: Optional[str], images: Sequence[str], pad: bool,
-                 transform: Optional[Callable[[Any, Dict[str, Any]], Any]]) -> None:
+    def __init__(self, dataset: "Dataset", boxes: Optional[str], images: Union[str, Sequence[str]],
+                 pad: Union[bool, int], transform: Optional[Callable[..., Any]]) -> None:
         if boxes is not None and boxes not in _FORMS:
             raise failure(Usage, f"{boxes!r} is not a box format: give {', '.join(_FORMS)} or None.",
                           "boxes")
+        if transform is not None and not callable(transform):
+            raise failure(Usage, "Give a function of image and target, not "
+                                 f"{type(transform).__name__}.", "transform")
         images = [images] if isinstance(images, str) else list(images)
         for name in ("rgb", *images):
             if name not in dataset.modalities:
@@ -32,22 +41,23 @@ class TorchDataset(torch.utils.data.Dataset):  # type: ignore
         self._form = boxes
         self._images = images
         self._transform = transform
-        self._most = 0
-        if boxes is not None and pad:  # read here, so that the processes of a loader share it
+        self._rows = 0  # the least number of rows of boxes and labels
+        if boxes is not None and pad is not False:  # read here, so that the processes of a loader share it
             counts = np.diff(dataset._boxes().starts)[dataset._indices]
-            self._most = int(counts.max(initial=0))
-        self._pad = pad
+            self._rows = _rows_of(pad, int(counts.max(initial=0)), dataset)
 
     def __len__(self) -> int:
         return len(self.dataset)
 
-    def __getitem__(self, index: int) -> Any:
+    def __getitem__(self, index: int) -> _Item:
         sample = self.dataset[index]
+        if not isinstance(sample, Sample):
+            raise failure(Usage, "Select frames before torch(), as in data[0:3].torch().", "index")
         picture = torch.from_numpy(np.ascontiguousarray(sample["rgb"].transpose(2, 0, 1)))
         target: Dict[str, Any] = {"image_id": torch.tensor(sample.index)}
         if self._form is not None:
             count = len(sample.labels)
-            rows = max(count, self._most) if self._pad else count
+            rows = max(count, self._rows)
             boxes = np.zeros((rows, 4), np.float32)
             boxes[:count] = self._shaped(sample.boxes)
             labels = np.full(rows, -1, np.int64)
@@ -62,7 +72,11 @@ class TorchDataset(torch.utils.data.Dataset):  # type: ignore
             target[name] = torch.from_numpy(np.ascontiguousarray(
                 pixels.transpose(2, 0, 1) if pixels.ndim == 3 else pixels))
         picture = picture.to(torch.float32).div_(255)
-        return (picture, target) if self._transform is None else self._transform(picture, target)
+        item: Any = picture, target
+        if self._transform is not None:
+            item = self._transform(picture, target)
+        result: _Item = item
+        return result
 
     def _shaped(self, coco: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
         corner, size = coco[:, :2], coco[:, 2:]
@@ -78,3 +92,18 @@ class TorchDataset(torch.utils.data.Dataset):  # type: ignore
         """Collates targets of different shapes: the images as one tensor, the targets as a list."""
         pictures, targets = zip(*batch)
         return torch.stack(pictures), list(targets)
+
+
+def _rows_of(pad: Union[bool, int], most: int, dataset: "Dataset") -> int:
+    """The number of rows that all frames get. Raises Usage if a frame has more boxes."""
+    if isinstance(pad, (bool, np.bool_)):
+        return most if pad else 0
+    try:
+        rows = operator.index(pad)
+    except TypeError:
+        raise failure(Usage, f"Give True, False or a whole number, not {type(pad).__name__}.",
+                      "pad") from None
+    if rows < most or rows < 1:
+        raise failure(Usage, f"A frame of {dataset.folder} has {most} boxes; {rows} is too small.",
+                      "pad")
+    return rows

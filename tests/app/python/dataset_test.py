@@ -116,7 +116,7 @@ class DatasetTest(FolderCase):
         for index in (10, -11):
             with self.assertRaises(IndexError):
                 self.data[index]
-        for index in (1.5, "rgb", None, [0.5], [[1]]):
+        for index in (1.5, "rgb", None, True, np.True_, (), [0.5], [[1]], np.array(1.5)):
             with self.assertRaises(dt.Usage):
                 self.data[index]
         with self.assertRaises(KeyError):
@@ -258,6 +258,50 @@ class DatasetTest(FolderCase):
                 self.assertTrue((targets["labels"][k][count:] == -1).all())
                 np.testing.assert_array_equal(targets["depth"][k], sample["depth"])
                 np.testing.assert_array_equal(targets["semantic"][k], sample["semantic"])
+
+    def test_pixels_without_a_class_have_the_id_that_the_file_of_classes_leaves(self):
+        self.assertEqual(self.data.void_id, 0)
+        classes = {"classes": [{"id": 0, "name": "table", "matches": ["table"]}], "other": "ignore"}
+        for void, wanted in ((None, 255), (9, 9)):
+            labels, out = self.folder / f"labels_{wanted}.json", self.folder / f"own_{wanted}"
+            labels.write_text(json.dumps({**classes, **({} if void is None else {"void": void})}))
+            made = run("export", self.folder / "room.obj", "--out", out, "--max-frames", 4, *SET,
+                       "--labels", labels, "--modalities", "rgb,semantic,instance")
+            self.assertEqual(made.returncode, 0, made.stderr)
+            data = dt.Dataset(out)
+            self.assertEqual((data.void_id, data.classes), (wanted, {0: "table"}))
+            tables = [one["id"] for one in data.objects if one["name"] == "table"]
+            for sample in data:
+                of_table = np.isin(sample["instance"], tables)
+                np.testing.assert_array_equal(sample["semantic"], np.where(of_table, 0, wanted))
+
+    @unittest.skipUnless(HAS_TORCH, "PyTorch is not installed")
+    def test_tensors_are_indices(self):
+        import torch
+        order = torch.tensor([7, 2, 5])
+        self.assertEqual([sample.index for sample in self.data[order]], [7, 2, 5])
+        self.assertEqual([sample.index for sample in self.data[torch.arange(10) > 7]], [8, 9])
+        self.assertEqual(self.data[order[0]].index, 7)
+        with self.assertRaises(dt.Usage):
+            self.data[torch.tensor(True)]
+        with self.assertRaisesRegex(dt.Usage, r"data\[0:3\].torch\(\)"):
+            self.data.torch()[0:3]
+
+    @unittest.skipUnless(HAS_TORCH, "PyTorch is not installed")
+    def test_datasets_padded_to_a_number_make_one_loader(self):
+        import torch
+        most = max(len(sample.labels) for sample in self.data)
+        rooms = [self.data[:4].torch(pad=most + 3), self.data[4:].torch(pad=most + 3)]
+        loader = torch.utils.data.DataLoader(torch.utils.data.ConcatDataset(rooms), batch_size=10)
+        [(pictures, targets)] = list(loader)
+        self.assertEqual((len(pictures), tuple(targets["boxes"].shape)), (10, (10, most + 3, 4)))
+        self.assertEqual(targets["count"].tolist(), [len(sample.labels) for sample in self.data])
+        self.assertEqual(self.data.torch(pad=np.int64(most))[0][1]["labels"].shape[0], most)
+        with self.assertRaisesRegex(dt.Usage, f"{most} boxes"):
+            self.data.torch(pad=most - 1)
+        for wrong in ({"pad": "all"}, {"pad": 1.5}, {"pad": None}, {"transform": 3}):
+            with self.assertRaises(dt.Usage):
+                self.data.torch(**wrong)
 
     @unittest.skipUnless(HAS_TORCH, "PyTorch is not installed")
     def test_unpadded_targets_are_collated_as_lists(self):

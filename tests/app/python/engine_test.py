@@ -6,6 +6,7 @@ import inspect
 import json
 import pydoc
 import os
+import pickle
 import subprocess
 import sys
 import unittest
@@ -15,6 +16,7 @@ import numpy as np
 
 from module import (MODULE, ROOT, RoomCase, SET, SIZE, dt, hashes, run, start_python,
                     tiny_room)
+from dollytrack import errors
 
 HAS_TORCH = importlib.util.find_spec("torch") is not None
 ROOM = [("floor", (0, -0.1, 0), (4, 0, 3)), ("ceiling", (0, 2.6, 0), (4, 2.7, 3)),
@@ -335,13 +337,47 @@ class EngineTest(RoomCase):
             with self.assertRaises(dt.Error) as caught:
                 call()
             refused = run(*arguments)
+            # These options have the names of the arguments.
             self.assertEqual(f"dollytrack: {caught.exception}",
-                             refused.stderr.strip().splitlines()[-1])
+                             refused.stderr.strip().splitlines()[-1].replace("--", ""))
             self.assertEqual(caught.exception.exit_code, refused.returncode, caught.exception)
         with self.assertRaisesRegex(dt.Usage, "plan()"):
             self.plan.export(out, fill=0.5)
         with self.assertRaisesRegex(dt.Usage, "export"):
             self.plan.render("flow_forward")
+
+    def test_messages_name_arguments_instead_of_options(self):
+        for text, wanted in (
+                ("too small; try --unit 0.52", "too small; try unit_m=0.52"),
+                ("try --up -y", 'try up_axis="-y"'), ("pass --up if it", "pass up_axis if it"),
+                ("(--keep-meshes leaves them)", "(keep_meshes=True leaves them)"),
+                ("add --set fill=0.5", "add fill=0.5"), ("--flow-distances", "flow_distances"),
+                ("'dollytrack export --resume' finishes it", "'dollytrack export --resume' finishes it")):
+            self.assertEqual(errors.in_python(text), wanted)
+        with self.assertRaisesRegex(dt.Usage, "0.01 for cm"):
+            dt.load(self.room, unit_m="cm")
+
+    def test_scenes_and_plans_say_how_other_processes_get_them(self):
+        with self.assertRaisesRegex(TypeError, "saved_plan"):
+            pickle.dumps(self.plan)
+        with self.assertRaisesRegex(TypeError, "load its file"):
+            pickle.dumps(self.scene)
+
+    def test_the_progress_of_an_export_ends_at_one(self):
+        seen = []
+        self.plan.export(self.folder / "progress", range="0:2",
+                         progress=lambda fraction, stage: seen.append(fraction))
+        self.assertEqual(seen[-1], 1.0)
+        self.assertEqual(seen, sorted(seen))
+
+    def test_rendered_pixels_without_a_class_have_the_void_id(self):
+        labels = self.folder / "labels.json"
+        labels.write_text(json.dumps({"classes": [{"id": 0, "name": "table", "matches": ["table"]}]}))
+        scene = dt.load(self.room, labels=labels)
+        self.assertEqual((self.scene.void_id, scene.void_id, scene.classes), (0, 255, {0: "table"}))
+        table = scene["table"].id
+        for frame in scene.plan(max_frames=3, **SIZE).render("semantic", "instance"):
+            np.testing.assert_array_equal(frame["semantic"], np.where(frame["instance"] == table, 0, 255))
 
     def test_a_modality_asked_for_twice_is_one_image(self):
         [frame] = self.plan.render("rgb", "rgb", range="0:1")

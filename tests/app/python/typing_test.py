@@ -1,5 +1,6 @@
 """The package's types: mypy finds no error, and _core.pyi matches the extension."""
 import ast
+import importlib.util
 import pathlib
 import re
 import shutil
@@ -12,6 +13,17 @@ from module import MODULE, ROOT
 from dollytrack import _core
 
 PACKAGE = ROOT / "app" / "python" / "dollytrack"
+#: Expressions of a caller's script, and their types.
+REVEALED = {
+    "plan": "Plan", "plan.metrics": "dict[str, Any]", "plan.render()": "Frames",
+    "next(plan.render('rgb', render_mode='traced'))": "Frame", "plan.export('x')": "dict[str, Any]",
+    "next(plan.render()).pose": "numpy.ndarray[Any, numpy.dtype[numpy.floating[numpy._typing._64Bit]]]",
+    "dt.judge(plan.scene, plan.poses)": "dict[str, Any]", "dt.Dataset('x').void_id": "int",
+}
+if importlib.util.find_spec("torch") is not None:
+    REVEALED["dt.Dataset('x').torch()[0]"] = (
+        "Tuple[torch._tensor.Tensor, dict[str, torch._tensor.Tensor]]")
+    REVEALED["dt.Dataset('x').torch(transform=lambda image, target: image)[0]"] = "torch._tensor.Tensor"
 
 
 class TypingTest(unittest.TestCase):
@@ -20,9 +32,11 @@ class TypingTest(unittest.TestCase):
             self.skipTest("mypy is not installed")
         with tempfile.TemporaryDirectory() as cache:
             user = pathlib.Path(cache) / "user.py"
-            user.write_text("import dollytrack as dt\n"
-                            "plan: dt.Plan = dt.load('room.glb').plan(fill=0.6)\n"
-                            "name: str = dt.Dataset('x')[0].index\n")  # wrong, and must be found
+            user.write_text("\n".join([
+                "import dollytrack as dt",
+                "plan = dt.load('room.glb').plan(fill=0.6)",
+                "name: str = dt.Dataset('x')[0].index",  # wrong, and must be found
+                *(f"reveal_type({value})" for value in REVEALED)]))
             settings = pathlib.Path(cache) / "mypy.ini"
             settings.write_text("[mypy]\n[mypy-torch.*]\nignore_missing_imports = True\n")
             done = subprocess.run(["mypy", "--strict", "--config-file", settings, "--cache-dir",
@@ -33,6 +47,11 @@ class TypingTest(unittest.TestCase):
                                   env={"MYPYPATH": str(PACKAGE.parent)})
             self.assertEqual(done.stdout.count(" error: "), 1, done.stdout)
             self.assertIn("user.py:3", done.stdout)
+            found = re.findall(r'Revealed type is "(.*)"', done.stdout)
+            self.assertEqual(len(found), len(REVEALED))
+            for (value, wanted), text in zip(REVEALED.items(), found):
+                self.assertEqual(re.sub(r"\b(builtins|typing|dollytrack\.\w+)\.", "", text), wanted,
+                                 value)
 
     def test_the_stub_has_the_extensions_names_and_arguments(self):
         tree = ast.parse((PACKAGE / "_core.pyi").read_text())

@@ -331,6 +331,14 @@ class Command(StatisticsCase):
         self.assertFails(run("statistics", *[self.part] * 7), 2, "at most 6")
         self.assertEqual(list(self.folder.glob("*x.html")), [])
 
+    def test_files_beside_folders_are_left_out(self):
+        beside = self.folder / "beside.html"
+        beside.write_text("a page")
+        made = run("statistics", beside, self.part, "-o", self.folder / "without.html")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertIn("beside.html: not a folder; left out", made.stderr)
+        self.assertIn("1 dataset,", made.stdout)
+
     def test_what_is_in_the_way_stays(self):
         other = self.folder / "other.txt"
         other.write_text("mine")
