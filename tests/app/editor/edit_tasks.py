@@ -61,7 +61,6 @@ class ByHand(Task):
     def test_add_a_position_point_from_the_view(self):
         before = self.start_room()
         self.editor.key("0")  # where the trajectory begins, a camera certainly fits
-        self.editor.key("esc")
         self.editor.key("p")
         pinned = self.pinned()
         self.assertEqual(len(pinned), 1)

@@ -201,11 +201,10 @@ class CameraKeys(Task):
         self.editor.drag(middle, (middle[0] + dx, middle[1] + dy), button="right")
 
     def record(self, count):
-        """Stands at the plan's camera and records keys; between them it looks around."""
+        """Looks through the plan's camera and records keys; between them it looks around."""
         self.start_room()
         self.show_preview(False)
         self.editor.key("0")
-        self.editor.key("0")  # the free camera stands where the plan's was
         for i in range(count):
             if i > 0:
                 self.look(120)

@@ -298,7 +298,8 @@ class EngineTest(RoomCase):
             self.plan.export(folder)
         refused = run("export", self.room, "--out", folder, "--max-frames", 8, *SET)
         self.assertEqual(refused.returncode, caught.exception.exit_code)
-        self.assertEqual(f"dollytrack: {caught.exception}", refused.stderr.strip().splitlines()[-1])
+        said = refused.stderr.strip().splitlines()[-1].replace("--overwrite", "overwrite=True")
+        self.assertEqual(f"dollytrack: {caught.exception}", said)
 
     # --- judging
 
