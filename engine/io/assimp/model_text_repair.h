@@ -39,9 +39,10 @@ struct ModelTextRepairs {
 /// anything was changed.
 bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces);
 
-/// Makes comments of the lines of an MTL text that are no statements of the format or that have a
-/// word where the format has a number. assimp takes every line that begins with "a", such as
-/// "ao 1", for an anisotropy and rejects the file. Returns whether there were any.
+/// Turns lines of an MTL text into comments if the format has no such statement, or if a word
+/// stands where the format has a number. assimp reads every line that begins with "a", such as
+/// "ao 1", as an anisotropy, and rejects the file if it is none. Returns whether any line was
+/// changed.
 bool dropUnknownMaterialLines(std::vector<std::uint8_t>& text);
 
 /// Removes blanks between <color> and its first number; assimp rejects the file otherwise. Returns
