@@ -4,17 +4,14 @@
 
 namespace dollytrack::statistics {
 
-/// The most frames whose images are read.
-inline constexpr std::size_t kMostImages = 200;
-
 /// Reads annotations.json, if the dataset has it, and adds boxes, classes, captures and the heat
 /// map to `statistics`, whose example frames get their boxes. Error: BadInput for damaged
 /// annotations.
 [[nodiscard]] Status addBoxes(const verify::StoredDataset& dataset, DatasetStatistics& statistics);
 
-/// Measures brightness and depth in evenly spaced frames, and adds them to `statistics`. Depth is
-/// taken at the points of a grid. Error: Cancelled.
-[[nodiscard]] Status measureImages(const verify::StoredDataset& dataset,
+/// Measures brightness and depth in `count` evenly spaced frames, and adds them to `statistics`.
+/// Depth is taken at the points of a grid. Error: Cancelled.
+[[nodiscard]] Status measureImages(const verify::StoredDataset& dataset, std::size_t count,
                                    DatasetStatistics& statistics, const JobContext& job);
 
 /// Adds the small JPEG images of the example frames, without those that do not exist.

@@ -147,7 +147,7 @@ Status addUnusable(const verify::StoredDataset& dataset, DatasetStatistics& stat
 }  // namespace
 
 Result<DatasetStatistics> collectStatistics(const verify::StoredDataset& dataset,
-                                            std::size_t examples, const JobContext& job) {
+                                            const FrameSamples& samples, const JobContext& job) {
     if (dataset.frames.empty()) {
         return fail(ErrorCode::BadInput, "The dataset has no frames; export it again.",
                     dataset.folder.string());
@@ -161,8 +161,8 @@ Result<DatasetStatistics> collectStatistics(const verify::StoredDataset& dataset
     statistics.width_px = dataset.lens.width;
     statistics.height_px = dataset.lens.height;
     statistics.frames = dataset.frames.size();
-    for (const int frame : view::evenlySpaced(examples, dataset.frames.size())) {
-        statistics.examples.push_back({frame, 0, {}, {}});
+    for (const int frame : view::evenlySpaced(samples.shown, dataset.frames.size())) {
+        statistics.examples.push_back({{}, frame, 0, {}, {}});
     }
     for (const auto add : {addPoses, addMotion, addBoxes, addVisibility, addUnusable}) {
         if (const Status added = add(dataset, statistics); !added) {
@@ -170,12 +170,58 @@ Result<DatasetStatistics> collectStatistics(const verify::StoredDataset& dataset
         }
     }
     job.report(0.3);
-    if (const Status measured = measureImages(dataset, statistics, job); !measured) {
+    if (const Status measured = measureImages(dataset, samples.measured, statistics, job);
+        !measured) {
         return tl::unexpected(measured.error());
     }
     addExampleImages(dataset, statistics);
     job.report(1.0);
     return statistics;
+}
+
+void addStatistics(DatasetStatistics more, DatasetStatistics& sum) {
+    sum.datasets += more.datasets;
+    if (sum.scene != more.scene) sum.scene.clear();
+    sum.frames += more.frames;
+    sum.duration_s += more.duration_s;
+    if (sum.path_length_m && more.path_length_m) {
+        *sum.path_length_m += *more.path_length_m;
+    } else {
+        sum.path_length_m.reset();
+    }
+    sum.has_boxes = sum.has_boxes && more.has_boxes;
+    sum.boxes += more.boxes;
+    sum.boxes_at_border += more.boxes_at_border;
+    for (ClassStatistics& row : more.classes) {
+        const auto same = std::ranges::find(sum.classes, row.name, &ClassStatistics::name);
+        if (same == sum.classes.end()) {
+            sum.classes.push_back(std::move(row));
+            continue;
+        }
+        for (const auto number : {&ClassStatistics::boxes, &ClassStatistics::frames,
+                                  &ClassStatistics::objects, &ClassStatistics::targets,
+                                  &ClassStatistics::captured, &ClassStatistics::well_captured}) {
+            (*same).*number += row.*number;
+        }
+    }
+    if (sum.heat_map.boxes.empty()) {
+        sum.heat_map = std::move(more.heat_map);
+    } else {
+        for (std::size_t i = 0; i < more.heat_map.boxes.size(); ++i) {
+            sum.heat_map.boxes[i] += more.heat_map.boxes[i];
+        }
+    }
+    const auto append = [](auto& all, const auto& values) {
+        all.insert(all.end(), values.begin(), values.end());
+    };
+    sum.pictures.pictures += more.pictures.pictures;
+    append(sum.pictures.dark, more.pictures.dark);
+    append(sum.pictures.white, more.pictures.white);
+    append(sum.pictures.flat, more.pictures.flat);
+    sum.image_frames += more.image_frames;
+    sum.images_unreadable += more.images_unreadable;
+    append(sum.examples, more.examples);
+    for (std::size_t i = 0; i < kQuantities; ++i) append(sum.values[i], more.values[i]);
 }
 
 }  // namespace dollytrack::statistics

@@ -44,6 +44,7 @@ struct ExampleBox {
 
 /// A frame that is shown on the page.
 struct ExampleFrame {
+    std::string dataset;  // its name, among several that are counted together
     int frame = 0;
     std::size_t boxes = 0;
     std::vector<ExampleBox> shown_boxes;  // at most kMostExampleBoxes
@@ -51,10 +52,11 @@ struct ExampleFrame {
 };
 inline constexpr std::size_t kMostExampleBoxes = 40;
 
-/// The numbers of one dataset.
+/// The numbers of one dataset, or of several that are counted together.
 struct DatasetStatistics {
-    std::string name;   // of its folder
-    std::string scene;  // file name
+    std::string name;          // of its folder
+    std::size_t datasets = 1;  // counted together
+    std::string scene;         // file name; empty if the datasets have different ones
     int width_px = 0;
     int height_px = 0;
     std::size_t frames = 0;
@@ -65,7 +67,7 @@ struct DatasetStatistics {
     std::size_t boxes_at_border = 0;       // that touch the border of the image
     std::vector<ClassStatistics> classes;  // that have boxes or targets, in the table's order
     HeatMap heat_map;                      // of all boxes
-    render::PictureTally pictures;         // as counted by the export in all frames
+    render::PictureTally pictures;         // as counted by the export, by frame of its dataset
     std::size_t image_frames = 0;          // whose images were read
     std::size_t images_unreadable = 0;     // images that are missing or damaged
     std::vector<ExampleFrame> examples;
@@ -79,11 +81,21 @@ struct DatasetStatistics {
     }
 };
 
-/// Reads the tables, annotations and some images of a dataset. `examples` is the number of frames
-/// to show. Equal input gives equal numbers, whatever the number of threads. Errors: BadInput, with
-/// the file, if a table or the annotations are damaged; Cancelled.
+/// Numbers of evenly spaced frames of a dataset.
+struct FrameSamples {
+    std::size_t measured = 0;  // frames whose images are read
+    std::size_t shown = 0;     // example frames
+};
+
+/// Reads the tables, annotations and some images of a dataset. Equal input gives equal numbers,
+/// whatever the number of threads. Errors: BadInput, with the file, if a table or the annotations
+/// are damaged; Cancelled.
 [[nodiscard]] Result<DatasetStatistics> collectStatistics(const verify::StoredDataset& dataset,
-                                                          std::size_t examples,
+                                                          const FrameSamples& samples,
                                                           const JobContext& job);
+
+/// Adds the numbers of `more`, whose images have the same size, to `sum`. Classes are matched by
+/// name. Boxes, and the length of the path, are known if both know them.
+void addStatistics(DatasetStatistics more, DatasetStatistics& sum);
 
 }  // namespace dollytrack::statistics

@@ -82,12 +82,12 @@ Measured measureFrame(const verify::StoredDataset& dataset, const GuardedFolder&
 
 }  // namespace
 
-Status measureImages(const verify::StoredDataset& dataset, DatasetStatistics& statistics,
-                     const JobContext& job) {
+Status measureImages(const verify::StoredDataset& dataset, std::size_t count,
+                     DatasetStatistics& statistics, const JobContext& job) {
     if (!dataset.has("rgb") && !dataset.has("depth")) return {};
     const Result<GuardedFolder> folder = GuardedFolder::open(dataset.folder);
     if (!folder) return fail(ErrorCode::BadInput, folder.error().message, folder.error().where);
-    const std::vector<int> frames = view::evenlySpaced(kMostImages, dataset.frames.size());
+    const std::vector<int> frames = view::evenlySpaced(count, dataset.frames.size());
     std::vector<Measured> measured(frames.size());
     parallelFor(frames.size(), [&](std::size_t i) {
         if (!job.cancelled()) measured[i] = measureFrame(dataset, *folder, frames[i]);

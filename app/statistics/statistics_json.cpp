@@ -67,6 +67,7 @@ json statisticsJson(std::span<const DatasetStatistics> datasets) {
                 histograms[info.key] = histogramJson(*shared, dataset.valuesOf(info.quantity));
         }
         list.push_back({{"name", dataset.name},
+                        {"datasets", dataset.datasets},
                         {"scene", dataset.scene},
                         {"overview", std::move(numbers)},
                         {"classes", classesJson(dataset)},

@@ -83,12 +83,13 @@ std::string section(std::string_view title, std::string_view charts) {
     return fmt::format("<h2>{}</h2>\n<div class=\"charts\">\n{}</div>\n", title, charts);
 }
 
-/// Scene, number of frames and size of the images.
+/// Number of datasets or scene, number of frames and size of the images.
 std::string summaryOf(const DatasetStatistics& dataset) {
-    return fmt::format("<span class=\"quiet\">{}{}{} frames of {} × {} px</span>",
-                       shownName(dataset.scene), dataset.scene.empty() ? "" : ", ",
-                       numberText(static_cast<double>(dataset.frames)), dataset.width_px,
-                       dataset.height_px);
+    std::string about = shownName(dataset.scene);
+    if (dataset.datasets > 1) about = fmt::format("{} datasets", dataset.datasets);
+    return fmt::format("<span class=\"quiet\">{}{}{} frames of {} × {} px</span>", about,
+                       about.empty() ? "" : ", ", numberText(static_cast<double>(dataset.frames)),
+                       dataset.width_px, dataset.height_px);
 }
 
 std::string header(Datasets datasets) {
@@ -118,16 +119,18 @@ std::string exampleFigure(const DatasetStatistics& dataset, std::size_t number,
     const std::string count =
         dataset.has_boxes ? fmt::format(", {} box{}", example.boxes, example.boxes == 1 ? "" : "es")
                           : "";
+    const std::string among =
+        example.dataset.empty() ? "" : fmt::format("{}, ", shownName(example.dataset));
     return fmt::format(
         "<figure class=\"example\"><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Frame "
         "{}\"><image width=\"{}\" height=\"{}\" href=\"data:image/jpeg;base64,{}\"/>{}</svg>"
-        "<figcaption>{}frame {}{}</figcaption></figure>\n",
+        "<figcaption>{}{}frame {}{}</figcaption></figure>\n",
         dataset.width_px, dataset.height_px, example.frame, dataset.width_px, dataset.height_px,
         view::base64(example.jpeg), boxes,
         name_dataset
             ? fmt::format("<span class=\"key s{}\">{}</span>, ", number, shownName(dataset.name))
             : "",
-        example.frame, count);
+        among, example.frame, count);
 }
 
 std::string examples(Datasets datasets) {

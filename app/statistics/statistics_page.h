@@ -16,6 +16,10 @@ inline constexpr std::size_t kMostDatasets = 6;
 /// The most example frames of a page.
 inline constexpr std::size_t kMostExamples = 8;
 
+/// The most frames of a dataset whose images are read. Of datasets that are counted together, each
+/// has an equal share of them, but at least one.
+inline constexpr std::size_t kMostImages = 200;
+
 /// One HTML page of charts and tables that needs no other file and no scripts. Equal input gives
 /// equal bytes.
 [[nodiscard]] std::string statisticsPage(std::span<const DatasetStatistics> datasets);

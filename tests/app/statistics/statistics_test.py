@@ -128,6 +128,36 @@ class Numbers(StatisticsCase):
         boxes[0][gone["category_id"]] -= 1
         self.assertEqual(*boxes)
 
+    def test_datasets_of_a_folder_are_counted_together(self):
+        around = self.folder / "around"
+        for name, dataset in (("one", self.whole), ("two", self.part)):
+            shutil.copytree(dataset, around / name)
+        numbers = self.numbers_of(around, self.whole, self.part)
+        together, *alone = numbers["datasets"]
+        self.assertEqual([one["datasets"] for one in numbers["datasets"]], [2, 1, 1])
+        self.assertEqual([one["name"] for one in numbers["datasets"]], ["around", "whole", "part"])
+        for name in ("frames", "duration_s", "path_length_m", "targets", "captured", "boxes"):
+            self.assertAlmostEqual(together["overview"][name],
+                                   sum(one["overview"][name] for one in alone), msg=name)
+        self.assertEqual(together["overview"]["boxes_per_frame"],
+                         together["overview"]["boxes"] / together["overview"]["frames"])
+        for row in together["classes"]:
+            same = [next((other for other in one["classes"] if other["name"] == row["name"]), None)
+                    for one in alone]
+            for name in ("boxes", "frames", "objects", "targets", "captured", "well_captured"):
+                self.assertEqual(row[name], sum(one[name] for one in same if one), msg=row["name"])
+        for name, edges in numbers["bin_edges"].items():
+            values = np.concatenate([samples[name] for samples in self.samples])
+            histogram = together["histograms"][name]
+            self.assertEqual(histogram["counts"], np.histogram(values, edges)[0].tolist(), msg=name)
+            if len(values):
+                self.assertAlmostEqual(histogram["median"], np.median(values))
+        np.testing.assert_array_equal(together["box_center_heat_map"], np.sum(
+            [one["box_center_heat_map"] for one in alone], axis=0))
+        page = (self.folder / "numbers.html").read_text()
+        self.assertIn(f"2 datasets, {FRAMES + 6} frames", page)
+        self.assertRegex(page, "around</span>, one, frame")
+
 
 class Command(StatisticsCase):
     def test_equal_input_gives_equal_bytes(self):
@@ -309,9 +339,9 @@ class Command(StatisticsCase):
     def test_what_is_no_dataset_is_told(self):
         empty = self.folder / "empty"
         empty.mkdir()
-        self.assertFails(run("statistics", empty), 4, "no dataset.json", "--resume")
+        self.assertFails(run("statistics", empty), 4, "no dataset", "empty")
         self.assertFails(run("statistics", self.part, empty, "-o", self.folder / "x.html"), 4,
-                         "no dataset.json")
+                         "no dataset", "empty")
         self.assertFails(run("statistics", self.folder / "nowhere"), 4, "does not exist")
         self.assertFails(run("statistics", self.folder / "room.obj"), 4, "path is a file")
         foreign = self.folder / "foreign"
@@ -321,7 +351,7 @@ class Command(StatisticsCase):
         rooms = self.folder / "rooms"
         rooms.mkdir()
         (rooms / "rooms.json").write_text('{"rooms": [{"name": "kitchen"}, {"name": "hall"}]}')
-        self.assertFails(run("statistics", rooms), 4, "kitchen, hall")
+        self.assertFails(run("statistics", rooms), 4, "rooms/kitchen")
         gathered = self.folder / "gathered"
         gathered.mkdir()
         (gathered / "gather.json").write_text("{}")
@@ -330,6 +360,34 @@ class Command(StatisticsCase):
         self.assertFails(run("statistics", none), 4, "no frames")
         self.assertFails(run("statistics", *[self.part] * 7), 2, "at most 6")
         self.assertEqual(list(self.folder.glob("*x.html")), [])
+
+    def test_damaged_datasets_of_a_folder_are_left_out_when_asked(self):
+        around = self.folder / "damaged_one"
+        for name in ("a", "b", "c"):
+            shutil.copytree(self.part, around / name)
+        (around / "b" / "annotations.json").write_text("{")
+        page = self.folder / "left_out.html"
+        self.assertFails(run("statistics", around, "-o", page), 4, "b/annotations.json")
+        self.assertFalse(page.exists())
+        made = self.page_of(around, "-o", page, "--skip-damaged")
+        self.assertIn("b: left out", made.stderr)
+        self.assertIn("2 datasets, 12 frames", made.stdout)
+        said = self.page_of(f"{around}/?", "-o", page, "--overwrite", "--skip-damaged").stdout
+        self.assertIn("2 datasets, 12 frames", said)
+        for name in ("a", "c"):
+            shutil.rmtree(around / name)
+        self.assertFails(run("statistics", around, "-o", page, "--overwrite", "--skip-damaged"), 4,
+                         "no complete dataset")
+
+    def test_datasets_of_a_folder_have_one_image_size(self):
+        around = self.folder / "sizes"
+        for name in ("a", "b"):
+            shutil.copytree(self.part, around / name)
+        card = card_of(around / "b")
+        card["conventions"]["intrinsics"]["width"] = 400
+        (around / "b" / "dataset.json").write_text(json.dumps(card))
+        self.assertFails(run("statistics", around, "-o", self.folder / "sizes.html"), 4, "400 x 240",
+                         "320 x 240", "sizes/b")
 
     def test_files_beside_folders_are_left_out(self):
         beside = self.folder / "beside.html"
