@@ -8,7 +8,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace dollytrack {
 namespace {
@@ -44,12 +48,54 @@ Eigen::Vector3d readOffset(const JsonReader& from) {
     return offset;
 }
 
-TrackKey readKey(const JsonReader& from) {
+/// Refuses an entry of a list that has other fields than these.
+void refuseOtherFields(const JsonReader& from, std::initializer_list<std::string_view> known) {
     for (const auto& [name, value] : from.json().items()) {
-        if (name == "time_s" || name == "offset" || name == "turn_deg") continue;
+        if (std::ranges::find(known, name) != known.end()) continue;
         from.refuse(
-            fmt::format("A key has the fields time_s, offset and turn_deg, but not '{}'.", name));
+            fmt::format("Entries have the fields {}, but not '{}'.", fmt::join(known, ", "), name));
     }
+}
+
+/// A requested move of an object; what is not given does not change.
+struct MoveRequest {
+    ObjectRef object;
+    std::optional<Eigen::Vector3d> offset_m;
+    std::optional<double> turn_rad;
+};
+
+/// Reads object, offset and turn_deg with `field`, which returns the reader of a field's name.
+template <class Field>
+MoveRequest readMove(const OperationReader& fields, const Field& field) {
+    MoveRequest request;
+    const JsonReader object = field("object");
+    request.object = fields.object(object);
+    if (const JsonReader offset = field("offset"); !offset.absent()) {
+        request.offset_m = readOffset(offset);
+    }
+    if (const JsonReader turn = field("turn_deg"); !turn.absent()) {
+        request.turn_rad = turn.number(-360.0, 360.0) * std::numbers::pi / 180.0;
+    }
+    if (!request.offset_m && !request.turn_rad) object.refuse("Give an offset or turn_deg.");
+    return request;
+}
+
+/// The object's move before and after.
+std::pair<ObjectMove, ObjectMove> applyMove(ProjectState& state, const OperationContext& context,
+                                            const MoveRequest& request) {
+    ObjectMove before;
+    ObjectMove move;
+    alter(state, context, request.object, [&](ObjectChange& change) {
+        move = before = change.move.value_or(ObjectMove{});
+        if (request.offset_m) move.offset_m = *request.offset_m;
+        if (request.turn_rad) move.turn_rad = *request.turn_rad;
+        change.move = move.isNone() ? std::nullopt : std::optional(move);
+    });
+    return {before, move};
+}
+
+TrackKey readKey(const JsonReader& from) {
+    refuseOtherFields(from, {"time_s", "offset", "turn_deg"});
     TrackKey key;
     key.time_s = from.at("time_s").number(0.0, kLatest_s);
     if (const JsonReader offset = from.at("offset"); !offset.absent()) {
@@ -141,29 +187,38 @@ std::string setFront(ProjectState& state, const OperationContext& context,
 
 std::string moveObjectBy(ProjectState& state, const OperationContext& context,
                          const OperationReader& fields) {
-    const ObjectRef object = fields.object("object");
-    const bool moves = fields.has("offset");
-    const bool turns = fields.has("turn_deg");
-    if (!moves && !turns) fields.field("object").refuse("Give an offset or turn_deg.");
-    Eigen::Vector3d offset = Eigen::Vector3d::Zero();
-    if (moves) offset = readOffset(fields.field("offset"));
-    const double turn_deg = turns ? fields.field("turn_deg").number(-360.0, 360.0) : 0.0;
+    const MoveRequest request =
+        readMove(fields, [&](const char* name) { return fields.field(name); });
     if (!fields.good()) return {};
-    ObjectMove before;
-    ObjectMove move;
-    alter(state, context, object, [&](ObjectChange& change) {
-        move = before = change.move.value_or(ObjectMove{});
-        if (moves) move.offset_m = offset;
-        if (turns) move.turn_rad = turn_deg * std::numbers::pi / 180.0;
-        change.move = move.isNone() ? std::nullopt : std::optional(move);
-    });
+    const auto [before, move] = applyMove(state, context, request);
     const bool moved = move.offset_m != before.offset_m;
     const bool turned = move.turn_rad != before.turn_rad;
     const char* what = move.isNone()     ? "Put back "
                        : moved && turned ? "Move and turn "
                        : turned          ? "Turn "
                                          : "Move ";
-    return what + object.name;
+    return what + request.object.name;
+}
+
+std::string moveObjects(ProjectState& state, const OperationContext& context,
+                        const OperationReader& fields) {
+    const JsonReader moves = fields.field("moves");
+    if (fields.good() && (!moves.json().is_array() || moves.size() == 0)) {
+        moves.refuse("This must be a list: [{\"object\": \"chair\", \"offset\": [1, 0, 0]}, ...].");
+    }
+    std::vector<MoveRequest> requests;
+    for (std::size_t i = 0; fields.good() && i < moves.size(); ++i) {
+        const JsonReader from = moves.at(i);
+        refuseOtherFields(from, {"object", "offset", "turn_deg"});
+        requests.push_back(readMove(fields, [&](const char* name) { return from.at(name); }));
+    }
+    if (!fields.good()) return {};
+    std::vector<ObjectRef> objects;
+    for (const MoveRequest& request : requests) {
+        applyMove(state, context, request);
+        objects.push_back(request.object);
+    }
+    return "Move " + inWords(objects);
 }
 
 std::string setTrack(ProjectState& state, const OperationContext& context,

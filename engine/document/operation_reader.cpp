@@ -44,7 +44,7 @@ Eigen::Quaterniond readUpright(const JsonReader& from) {
 
 }  // namespace
 
-ObjectRef OperationReader::readObject(const JsonReader& from) const {
+ObjectRef OperationReader::object(const JsonReader& from) const {
     const auto count = static_cast<int>(scene_.objects.size());
     if (from.json().is_number()) {
         const int id = from.integer(1, std::max(1, count));
@@ -73,10 +73,6 @@ ObjectRef OperationReader::readObject(const JsonReader& from) const {
     return {found.front(), name};
 }
 
-ObjectRef OperationReader::object(const std::string& name) const {
-    return readObject(field(name));
-}
-
 std::vector<ObjectRef> OperationReader::named(std::string_view pattern) const {
     std::vector<ObjectRef> refs;
     for (const Object& object : scene_.objects) {
@@ -101,7 +97,7 @@ std::vector<ObjectRef> OperationReader::objects(const std::string& name) const {
             if (!is_name) found = named(text);
         }
         if (found.empty()) {
-            refs.push_back(readObject(entry));
+            refs.push_back(object(entry));
         } else {
             by_pattern.insert(by_pattern.end(), found.begin(), found.end());
         }

@@ -25,8 +25,9 @@ class OperationReader {
     [[nodiscard]] bool good() const { return fields_.good(); }
     void refuse(std::string message) const { fields_.refuse(std::move(message)); }
 
-    /// The object named by its number or by a unique name.
-    [[nodiscard]] ObjectRef object(const std::string& name) const;
+    /// The object named by its number or by a unique name, in a field or in a part of one.
+    [[nodiscard]] ObjectRef object(const std::string& name) const { return object(field(name)); }
+    [[nodiscard]] ObjectRef object(const JsonReader& from) const;
     /// One object or a list of objects, by rising id. An entry that is no object's name may be a
     /// class, or a pattern with * and ? (see isNamedBy()): it stands for all objects that match.
     [[nodiscard]] std::vector<ObjectRef> objects(const std::string& name) const;
@@ -49,7 +50,6 @@ class OperationReader {
     [[nodiscard]] GivenMotion motion() const;
 
   private:
-    [[nodiscard]] ObjectRef readObject(const JsonReader& from) const;
     [[nodiscard]] std::vector<ObjectRef> named(std::string_view pattern) const;
 
     JsonReader fields_;

@@ -13,6 +13,7 @@ std::string includeObject(ProjectState&, const OperationContext&, const Operatio
 std::string setClass(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setFront(ProjectState&, const OperationContext&, const OperationReader&);
 std::string moveObjectBy(ProjectState&, const OperationContext&, const OperationReader&);
+std::string moveObjects(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setTrack(ProjectState&, const OperationContext&, const OperationReader&);
 std::string goToTime(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setSize(ProjectState&, const OperationContext&, const OperationReader&);

@@ -95,6 +95,9 @@ TEST(Operation, SaysWhatIsWrong) {
         {{{"op", "move_object"}, {"object", "mug"}}, "Give an offset or turn_deg"},
         {{{"op", "move_object"}, {"object", "mug"}, {"offset", {0, 2e4, 0}}}, "at most 10000 m"},
         {{{"op", "move_object"}, {"object", "mug"}, {"turn_deg", 400}}, "-360"},
+        {{{"op", "move_objects"}, {"moves", json::array()}}, "must be a list"},
+        {{{"op", "move_objects"}, {"moves", {{{"object", "mug"}}}}}, "Give an offset or turn_deg"},
+        {{{"op", "move_objects"}, {"moves", {{{"object", "mug"}, {"by", {1, 0, 0}}}}}}, "not 'by'"},
         {{{"op", "object_track"}, {"object", "mug"}, {"keys", 3}}, "must be a list"},
         {{{"op", "object_track"}, {"object", "mug"}, {"keys", {{{"time_s", 1}}, {{"time_s", 1}}}}},
          "increasing time_s"},
@@ -183,6 +186,21 @@ TEST(Operation, MovesAnObjectWithAllThatIsMeasuredOfIt) {
     EXPECT_NEAR(std::atan2(front.y(), front.x()), 10.0 * std::numbers::pi / 180, 1e-9);
     EXPECT_EQ(movedObjects(editing.imported, scene), std::vector<int>{7});
     EXPECT_FALSE(sameGeometry({}, editing.state.edits.scene));
+}
+
+TEST(Operation, MovingSeveralObjectsIsTheSameAsMovingEach) {
+    const json lamp = {{"object", "lamp"}, {"offset", {1.0, 0.5, 0.25}}, {"turn_deg", 90}};
+    const json mug = {{"object", "mug"}, {"turn_deg", -30}};
+    Editing together;
+    const auto names =
+        together.apply({{{"op", "move_objects"}, {"moves", json::array({lamp, mug})}}});
+    ASSERT_TRUE(names) << describe(names.error());
+    EXPECT_EQ(names->front(), "Move lamp and mug");
+    Editing each;
+    json moves = {lamp, mug};
+    for (json& move : moves) move["op"] = "move_object";
+    ASSERT_TRUE(each.apply(moves));
+    EXPECT_EQ(together.state, each.state);
 }
 
 TEST(Operation, AMovedObjectIsKeptInTheProjectAndGoesBackExactly) {
