@@ -87,9 +87,9 @@ void ObjectMoves::smoothRadius(Orbit& orbit, double radius_m, const JobContext& 
             const double here = radiusOf(i);
             const double wanted =
                 (pull * radius_m + radiusOf(i - 1) + radiusOf(i + 1)) / (pull + 2.0);
+            const Eigen::Vector3d out = horizontal(angleOf(way[i] - subject_.center));
             double change = wanted - here;
             for (int t = 0; t < kTries && std::abs(change) > kSettled_m; ++t, change *= 0.5) {
-                const Eigen::Vector3d out = horizontal(angleOf(way[i] - subject_.center));
                 const Eigen::Vector3d place = at(out, here + change, way[i].z());
                 if (!fitsBetween(i, place)) continue;
                 way[i] = place;
