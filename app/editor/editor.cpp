@@ -112,6 +112,7 @@ void Editor::refreshScene() {
         remedies_.forget();
         comparison_.drop();
         motions_.cancel();
+        move_preview_.follow(std::nullopt, workspace_.shown());
         recorded_key_s_.reset();
         read_motions_.clear();
         repaired_motion_ = {};
@@ -182,6 +183,7 @@ bool Editor::frame() {
     layers_.poll();
     refreshScene();
     takeMotion();
+    followMoveForm();
     followComparison();
     play();
     followTracks();

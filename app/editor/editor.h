@@ -25,6 +25,7 @@
 #include "app/editor/timeline/track_time.h"
 #include "app/editor/viewport/gizmo_session.h"
 #include "app/editor/viewport/layer_builder.h"
+#include "app/editor/viewport/move_previewer.h"
 #include "app/editor/viewport/picture_file.h"
 #include "app/editor/viewport/picture_saver.h"
 #include "app/editor/viewport/render_scene_sync.h"
@@ -107,6 +108,8 @@ class Editor {
     void addWindowCommands();
     /// The handles of the clipping box, if it is on.
     void drawClip();
+    /// The viewport for handles that leave the mouse to the gizmo, the preview and the legend.
+    [[nodiscard]] ui::GizmoView handleView();
     [[nodiscard]] std::optional<ui::GizmoView> clipView();
     void toggleClipBox();
     /// Shows only the selected objects, from nearby; or all again, in the view before.
@@ -214,14 +217,22 @@ class Editor {
     [[nodiscard]] nlohmann::json startJson() const;
 
     // editor_objects.cpp
+    /// Ids of the selected objects, if they can be moved.
+    [[nodiscard]] std::vector<int> movableObjects() const;
     /// Id of the selected object if exactly one is selected and can be moved; otherwise 0.
     [[nodiscard]] int movableObject() const;
     /// The object's box with the newest edits, which the scene on the screen may lack.
     [[nodiscard]] OrientedBox objectBox(int id) const;
-    [[nodiscard]] Pose objectPose(int id) const;  // its yaw is the object's rotation
+    /// Position of the gizmo of objects, and its heading: of one object its centre and rotation,
+    /// of several the middle of their centres.
+    [[nodiscard]] Pose poseOfObjects(const std::vector<int>& ids) const;
     /// The objects that edits have moved since the scene on the screen was built.
     [[nodiscard]] std::vector<ui::MovedObject> movedObjects() const;
-    void moveWithGizmo(const ui::GizmoView& view, int id);
+    void moveWithGizmo(const ui::GizmoView& view, const std::vector<int>& ids);
+    /// Moves and turns the dragged objects about their middle, relative to `before_drag_`.
+    void moveDragged(const ui::PoseChange& change);
+    /// Applies the `moves` of the operation move_objects.
+    void applyMoves(const nlohmann::json& moves, const std::string& merge_key = {});
     [[nodiscard]] nlohmann::json removeKeyHere() const;
     void playTracks();
     void goToTrackTime(double time_s);
@@ -237,10 +248,15 @@ class Editor {
     [[nodiscard]] const MotionFile* motionFile() const;
     void readMotion(const MotionFile& file);
     void takeMotion();
-    /// Makes the move that the form describes. Asks first if the camera path has keys or is from a
-    /// file.
     /// Removes the part of the given motion before or after the current frame.
     void trimMotion(bool before);
+    /// The move that the form describes, with the selected object.
+    [[nodiscard]] planning::MoveRequest moveOfForm() const;
+    /// Shows the move of the form while its panel is open.
+    void followMoveForm();
+    void drawMove();
+    /// Makes the move that the form describes. Asks first if the camera path has keys or is from a
+    /// file.
     void makeMove();
     /// The text of an error that planning a camera move returned. It names settings by their labels
     /// in the form ("From height") instead of their names on the command line ("from_height").
@@ -379,6 +395,12 @@ class Editor {
     PieceCount pieces_;
     ui::LayerSettings layer_settings_;
     ui::ViewerCamera view_before_local_;
+    /// A selected object before a drag of the gizmo.
+    struct DraggedObject {
+        int id = 0;
+        ObjectMove move;
+        Eigen::Vector3d center = Eigen::Vector3d::Zero();  // of its box, m
+    };
     struct Click {
         Eigen::Vector2d pixel;
         Pose view;
@@ -401,6 +423,7 @@ class Editor {
     StepPlayback step_playback_;
     bool through_camera_ = false;
     GizmoSession gizmo_;
+    std::vector<DraggedObject> before_drag_;
     CommandStack::History history_before_drag_;
     std::string refused_key_;  // why the command of the key pressed last cannot run; or empty
     RemedyFinder remedies_{&Window::wake};
@@ -412,6 +435,7 @@ class Editor {
     // Of the frames of probed_plan_; null: not all are known; empty: they cannot be drawn.
     ui::PictureClasses frame_classes_;
     MotionWorker motions_{&Window::wake};
+    MovePreviewer move_preview_{&Window::wake};
     struct ReadMotion {
         SharedMotion motion;
         MotionFile file;

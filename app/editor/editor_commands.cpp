@@ -250,6 +250,8 @@ void Editor::addSelectionCommands() {
                  return;  // the timeline cancels the drag of its key
              } else if (gizmo_.dragging()) {
                  cancelDrag();
+             } else if (move_preview_.dragging()) {
+                 move_preview_.cancelDrag(panels_.move);
              } else if (panels_.viewport.cancelBoxSelect()) {
                  return;
              } else if (workspace_.loading().busy) {

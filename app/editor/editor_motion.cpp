@@ -12,6 +12,21 @@ namespace dollytrack::editor {
 
 namespace {
 
+/// The name of the undo step that changes the camera path.
+std::string stepName(MotionWorker::Source source, const std::string& motion) {
+    switch (source) {
+        case MotionWorker::Source::File:
+            return "Import the camera path " + motion;
+        case MotionWorker::Source::Repair:
+            return "Repair the camera path";
+        case MotionWorker::Source::Move:
+            return "Make the camera move " + motion.substr(0, motion.find(':'));
+        case MotionWorker::Source::KeyTimes:
+            break;
+    }
+    return "Set reachable times of the keys";
+}
+
 std::string lengthText(double length_m) {
     return length_m < 1.0 ? fmt::format("{:.1f} cm", 100.0 * length_m)
                           : fmt::format("{:.2f} m", length_m);
@@ -108,6 +123,8 @@ ui::MotionView Editor::motionView() {
     if (view.has_scene && selected_.objects().size() == 1) {
         view.move.target = shown.scene->object(selected_.objects().front()).name;
     }
+    view.move.note =
+        move_preview_.error() != nullptr ? moveFault(*move_preview_.error()) : move_preview_.note();
     view.move.eye = viewPose().position;
     view.move.pivot = panels_.viewport.camera.pivot;
     view.key_states = keyStates().keys;
@@ -181,12 +198,31 @@ void Editor::readMotion(const MotionFile& file) {
                     {{"Replace", read}}});
 }
 
-void Editor::makeMove() {
+planning::MoveRequest Editor::moveOfForm() const {
     planning::MoveRequest move = panels_.move.request();
     // A point that is set to look at takes precedence over the selection.
     if (selected_.objects().size() == 1 && !move.options.contains("center")) {
         move.object_id = selected_.objects().front();
     }
+    return move;
+}
+
+void Editor::followMoveForm() {
+    const bool wanted = !panels_.move.kind.empty() && docks_.isOpen(panelName(Panel::ByHand)) &&
+                        workspace_.isOpen() && workspace_.shown().scene && !through_camera_ &&
+                        !motions_.state().busy;
+    if (wanted && !workspace_.planIsCurrent()) return;  // the path before stays until then
+    move_preview_.follow(wanted ? std::optional(moveOfForm()) : std::nullopt, workspace_.shown());
+}
+
+void Editor::drawMove() {
+    if (gizmo_.usesKeys()) return;
+    move_preview_.draw(handleView(), panels_.move);
+    if (move_preview_.dragging()) window_.animate();
+}
+
+void Editor::makeMove() {
+    const planning::MoveRequest move = moveOfForm();
     const auto make = [this, move](const SharedMotion& after) {
         motions_.make(move, after, workspace_.shown());
     };
@@ -246,11 +282,12 @@ void Editor::takeMotion() {
         motionFile() != nullptr ? std::optional(*motionFile()) : std::nullopt;
     nlohmann::json operation = motionJson((*outcome)->motion);
     operation["op"] = "set_motion";
-    const Status done = workspace_.apply(operation);
+    const MotionWorker::Source source = (*outcome)->source;
+    const Status done = workspace_.applyAll(nlohmann::json::array({operation}),
+                                            stepName(source, (*outcome)->motion.name));
     tellRefusal(done);
     if (!done) return;
     const SharedMotion& motion = workspace_.state().edits.plan.motion;
-    const MotionWorker::Source source = (*outcome)->source;
     const bool repaired = source == MotionWorker::Source::Repair;
     if (source == MotionWorker::Source::File) read_motions_.push_back({motion, (*outcome)->file});
     if (repaired && file_before) read_motions_.push_back({motion, *file_before});

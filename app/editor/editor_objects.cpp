@@ -65,14 +65,24 @@ void drawOutline(const OrientedBox& box, const ui::GizmoView& view) {
 
 }  // namespace
 
-int Editor::movableObject() const {
+std::vector<int> Editor::movableObjects() const {
     const PlanOutcome& shown = workspace_.shown();
-    if (!selected_.is(Selection::Kind::Object) || !shown.scene || !workspace_.isOpen()) return 0;
-    const std::size_t id = selected_.objects().front();
+    const bool objects =
+        selected_.is(Selection::Kind::Object) || selected_.is(Selection::Kind::Objects);
+    if (!objects || !shown.scene || !workspace_.isOpen()) return {};
     // Object ids are unreliable while merges or splits are being applied.
-    const bool same =
-        shown.state->edits.scene.definitions == workspace_.state().edits.scene.definitions;
-    return same && id >= 1 && id <= shown.scene->objects.size() ? static_cast<int>(id) : 0;
+    if (shown.state->edits.scene.definitions != workspace_.state().edits.scene.definitions) {
+        return {};
+    }
+    const auto count = static_cast<int>(shown.scene->objects.size());
+    const bool known =
+        std::ranges::all_of(selected_.objects(), [&](int id) { return id >= 1 && id <= count; });
+    return known ? selected_.objects() : std::vector<int>();
+}
+
+int Editor::movableObject() const {
+    const std::vector<int> ids = movableObjects();
+    return ids.size() == 1 ? ids[0] : 0;
 }
 
 OrientedBox Editor::objectBox(int id) const {
@@ -85,11 +95,16 @@ OrientedBox Editor::objectBox(int id) const {
     return box;
 }
 
-Pose Editor::objectPose(int id) const {
-    const ObjectMove now = moveOf(workspace_.state().edits, *workspace_.shown().scene, id);
+Pose Editor::poseOfObjects(const std::vector<int>& ids) const {
     Pose pose;
-    pose.position = objectBox(id).center;
-    pose.rotation = lookAlong({std::cos(now.turn_rad), std::sin(now.turn_rad), 0.0});
+    pose.position.setZero();
+    for (const int id : ids) pose.position += objectBox(id).center;
+    pose.position /= static_cast<double>(ids.size());
+    const double turn_rad =
+        ids.size() > 1
+            ? 0.0
+            : moveOf(workspace_.state().edits, *workspace_.shown().scene, ids[0]).turn_rad;
+    pose.rotation = lookAlong({std::cos(turn_rad), std::sin(turn_rad), 0.0});
     return pose;
 }
 
@@ -123,27 +138,54 @@ std::vector<ui::MovedObject> Editor::movedObjects() const {
     return moved;
 }
 
-void Editor::moveWithGizmo(const ui::GizmoView& view, int id) {
+void Editor::moveWithGizmo(const ui::GizmoView& view, const std::vector<int>& ids) {
     const PlanOutcome& shown = workspace_.shown();
-    const ObjectMove before = moveOf(shown.state->edits, *shown.scene, id);
-    const ObjectMove now = moveOf(workspace_.state().edits, *shown.scene, id);
-    const Eigen::Vector3d in_file = shown.scene->object(id).box.center - before.offset_m;
-    if (gizmo_.dragging() || !(now == before)) drawOutline(objectBox(id), view);
-    const ui::GizmoActions actions = gizmo_.draw(view);
-    if (actions.changed) {
-        nlohmann::json operation = {{"op", "move_object"}, {"object", objectKey(*shown.scene, id)}};
-        if (gizmo_.turning()) {
-            const Eigen::Vector3d way = actions.pose.forward();
-            operation["turn_deg"] = turnDegrees(std::atan2(way.y(), way.x()), now.turn_rad);
-        } else {
-            operation["offset"] = ui::pointJson(actions.pose.position - in_file);
+    const Edits& edits = workspace_.state().edits;
+    if (!gizmo_.dragging() || !std::ranges::equal(before_drag_, ids, {}, &DraggedObject::id)) {
+        before_drag_.clear();
+        for (const int id : ids) {
+            before_drag_.push_back({id, moveOf(edits, *shown.scene, id), objectBox(id).center});
         }
-        apply(operation, "gizmo object " + std::to_string(id));
     }
+    for (const int id : ids) {
+        const bool moved =
+            !(moveOf(edits, *shown.scene, id) == moveOf(shown.state->edits, *shown.scene, id));
+        if (gizmo_.dragging() || moved) drawOutline(objectBox(id), view);
+    }
+    const ui::GizmoActions actions = gizmo_.draw(view);
+    if (actions.changed) moveDragged(actions.change);
     if (actions.finished) finishDrag();
     if (gizmo_.dragging()) window_.animate();
     // The gizmo covers the centre of the selection; clicks go to what lies behind it.
     if (actions.clicked) clickAt(pane_.cursor, actions.with_ctrl, actions.with_alt);
+}
+
+void Editor::moveDragged(const ui::PoseChange& change) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const DraggedObject& object : before_drag_) middle += object.center;
+    middle /= static_cast<double>(before_drag_.size());
+    const Eigen::AngleAxisd turn(change.yaw_rad, Eigen::Vector3d::UnitZ());
+    nlohmann::json moves = nlohmann::json::array();
+    for (const auto& [id, before, center] : before_drag_) {
+        nlohmann::json move = {{"object", objectKey(*workspace_.shown().scene, id)}};
+        Eigen::Vector3d by = change.offset_m;
+        if (change.yaw_rad != 0.0) {
+            by += middle + turn * (center - middle) - center;
+            move["turn_deg"] = turnDegrees(before.turn_rad + change.yaw_rad, before.turn_rad);
+        }
+        move["offset"] = ui::pointJson(before.offset_m + by);
+        moves.push_back(std::move(move));
+    }
+    applyMoves(moves, "gizmo objects");
+}
+
+void Editor::applyMoves(const nlohmann::json& moves, const std::string& merge_key) {
+    nlohmann::json operation = {{"op", "move_objects"}, {"moves", moves}};
+    if (moves.size() == 1) {
+        operation = moves[0];
+        operation["op"] = "move_object";
+    }
+    apply(operation, merge_key);
 }
 
 OrientedBox Editor::boxInView() {
@@ -179,13 +221,10 @@ OrientedBox Editor::boxInView() {
 void Editor::addTransformCommands() {
     const auto why_not = [this](bool turns) -> std::string {
         const std::optional<ui::GizmoView> view = gizmoView();
-        if (!view && selected_.now().objects.size() > 1) {
-            return "Only one object at a time can be moved or rotated.";
+        if (!view && !movableObjects().empty()) {
+            return "A selected object is hidden; show it first (Alt+H).";
         }
-        if (!view && movableObject() != 0) {
-            return "The selected object is hidden; show it first (Alt+H).";
-        }
-        if (!view) return "Select an object, a position point or a box first.";
+        if (!view) return "Select objects, a position point or a box first.";
         return turns && !view->turns ? "Boxes cannot be rotated." : "";
     };
     commands_.add({"edit.move",
@@ -206,25 +245,28 @@ void Editor::addObjectCommands() {
     const auto needs_object = [this]() -> std::string {
         return movableObject() != 0 ? "" : "Select one object first.";
     };
+    const auto needs_objects = [this]() -> std::string {
+        return movableObjects().empty() ? "Select objects first." : "";
+    };
     const auto putBack = [this](const char* what, const nlohmann::json& value) {
-        nlohmann::json operation = {
-            {"op", "move_object"},
-            {"object", objectKey(*workspace_.shown().scene, movableObject())}};
-        operation[what] = value;
-        apply(operation);
+        nlohmann::json moves = nlohmann::json::array();
+        for (const int id : movableObjects()) {
+            moves.push_back({{"object", objectKey(*workspace_.shown().scene, id)}, {what, value}});
+        }
+        applyMoves(moves);
     };
     commands_.add({"edit.clear_move",
                    "Edit",
-                   "Clear the object's move",
+                   "Clear the moves of the objects",
                    {GLFW_KEY_G, false, false, true},
                    [putBack] { putBack("offset", ui::pointJson(Eigen::Vector3d::Zero())); },
-                   needs_object});
+                   needs_objects});
     commands_.add({"edit.clear_turn",
                    "Edit",
-                   "Clear the object's rotation",
+                   "Clear the rotations of the objects",
                    {GLFW_KEY_R, false, false, true},
                    [putBack] { putBack("turn_deg", 0.0); },
-                   needs_object});
+                   needs_objects});
     commands_.add({"edit.add_key",
                    "Edit",
                    "Add a key to the object at this time",

@@ -286,10 +286,13 @@ void Editor::drawDragStatus() {
     ImGui::TextColored(ui::palette().accent, "%s", gizmo_.text().c_str());
     ui::nameItem("status.drag");
     ImGui::SameLine();
-    ImGui::TextDisabled("%s", gizmo_.usesKeys()
-                                  ? "   X Y Z: axis   0-9 . -: number   Ctrl: steps   "
-                                    "Enter: done   Esc: cancel"
-                                  : "   Ctrl: steps   Esc: cancel");
+    const char* keys = "   Ctrl: steps   Esc: cancel";
+    if (gizmo_.usesKeys()) {
+        keys = gizmo_.turning() ? "   0-9 . -: number   Ctrl: steps   Enter: done   Esc: cancel"
+                                : "   X Y Z: axis (Shift: plane)   0-9 . -: number (Tab: next)   "
+                                  "Ctrl: steps   Enter: done   Esc: cancel";
+    }
+    ImGui::TextDisabled("%s", keys);
 }
 
 void Editor::drawStatus() {
@@ -323,6 +326,12 @@ void Editor::drawStatus() {
                            {ui::scaled(120), ImGui::GetTextLineHeight()}, "");
         ImGui::SameLine();
         ImGui::Text("planning: %s", job.stage.c_str());
+        ImGui::SameLine();
+        if (ui::link("Stop", "status.plan.stop")) workspace_.stopPlanning();
+    } else if (workspace_.planningStopped()) {
+        ImGui::TextDisabled("planning was stopped");
+        ImGui::SameLine();
+        if (ui::link("Plan", "status.plan.start")) workspace_.startPlanning();
     } else if (const std::string error = workspace_.planError(); !error.empty()) {
         ImGui::TextColored(ui::palette().bad, "%s: %s", shown.outdated ? "No new plan" : "No plan",
                            error.c_str());

@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 #include "engine/document/edits_json.h"
+#include "ui/panels/edits/edit_parts.h"
 #include "ui/widgets/cut_lines.h"
 #include "ui/widgets/item_map.h"
 
@@ -138,6 +139,13 @@ void Editor::addSelectionTo(nlohmann::json& state) const {
     state["selection_kind"] = static_cast<int>(selected_.now().kind);
     state["selection_index"] = selected_.now().index;
     state["drag_text"] = gizmo_.text();
+    state["move"] = planning::moveText(panels_.move.request());
+    state["move_path"] = nlohmann::json::array();
+    if (const ui::MovePreview* preview = move_preview_.preview()) {
+        for (const Eigen::Vector3d& position : preview->path) {
+            state["move_path"].push_back(ui::pointJson(position));
+        }
+    }
     state["local_view"] = selected_.inLocalView();
     state["hidden"] = std::ranges::count(selected_.hidden(), true);
     state["hidden_ids"] = numbersOf(selected_.hidden());

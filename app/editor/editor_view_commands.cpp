@@ -305,6 +305,10 @@ void Editor::addWindowCommands() {
 
 std::optional<ui::GizmoView> Editor::clipView() {
     if (!clip_.has_box || through_camera_ || !workspace_.shown().scene) return std::nullopt;
+    return handleView();
+}
+
+ui::GizmoView Editor::handleView() {
     ui::GizmoView view;
     view.view = drawing_.view().view;
     view.origin = pane_.origin;

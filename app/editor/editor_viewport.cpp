@@ -217,12 +217,13 @@ std::optional<ui::GizmoView> Editor::gizmoView() {
                    !panels_.viewport.box_select;
     const MotionKey* key = selectedKey();
     view.turns = point != nullptr || key != nullptr;
-    if (const int object = movableObject(); object != 0) {
-        if (selected_.isLeftOut(object)) return std::nullopt;
-        view.pose = objectPose(object);
+    if (const std::vector<int> objects = movableObjects(); !objects.empty()) {
+        const auto is_left_out = [&](int id) { return selected_.isLeftOut(id); };
+        if (std::ranges::any_of(objects, is_left_out)) return std::nullopt;
+        view.pose = poseOfObjects(objects);
         view.turns = true;
         view.tilts = false;
-        view.heading_rad = objectBox(object).yaw;
+        if (objects.size() == 1) view.heading_rad = objectBox(objects[0]).yaw;
     } else if (no_go != nullptr) {
         view.pose.position = no_go->box.center;
         view.heading_rad = no_go->box.yaw;
@@ -254,8 +255,8 @@ void Editor::editWithGizmo() {
     const bool cancels = ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
                          (gizmo_.usesKeys() && questions_.waiting());
     if (gizmo_.dragging() && cancels) cancelDrag();
-    if (const int object = movableObject(); object != 0) {
-        moveWithGizmo(view, object);
+    if (const std::vector<int> objects = movableObjects(); !objects.empty()) {
+        moveWithGizmo(view, objects);
         return;
     }
     const PositionPoint* point = selected_.positionPoint(plan());
@@ -459,6 +460,7 @@ void Editor::drawCentre() {
     const bool box = panels_.viewport.box_select;  // takes the mouse from all handles
     view.on_handle =
         !box && ((handles && gizmo_.takesMouse(*handles)) ||
+                 move_preview_.takesMouse(handleView()) ||
                  (clip && (clip_handles_.dragged >= 0 || ui::isOnClipHandle(*clip, clip_.box))));
     view.covered =
         preview_hovered_ || panels_.legend.hovered || panels_.preview.full || gizmo_.usesKeys();
@@ -473,7 +475,9 @@ void Editor::drawCentre() {
     if (pane_.double_clicked && !selectedBox().isEmpty()) {
         bringIntoView(selectedBox());
     }
-    drawClip();  // before the gizmo: a click that confirms a move must not grab a handle
+    // Before the gizmo: a click that confirms a move must not grab a handle.
+    drawClip();
+    drawMove();
     editWithGizmo();
     drawPickList();
     if (!panels_.preview.full) drawLegend();

@@ -379,7 +379,7 @@ class MoveMaker {
 
     [[nodiscard]] Result<CameraMove> finished(Result<RepairedMotion> made) const {
         if (!made) return tl::unexpected(std::move(made.error()));
-        return CameraMove{std::move(made->trajectory), note_};
+        return CameraMove{std::move(made->trajectory), timing_.look_at, note_};
     }
 
     [[nodiscard]] static Result<CameraMove> cancelled() {

@@ -3,6 +3,9 @@
 #include "planning/motions/move_settings.h"
 #include "planning/motions/repair_motion.h"
 
+#include <Eigen/Core>
+
+#include <optional>
 #include <string>
 
 namespace dollytrack::planning {
@@ -10,6 +13,7 @@ namespace dollytrack::planning {
 /// A camera move that was made.
 struct CameraMove {
     Trajectory trajectory;
+    std::optional<Eigen::Vector3d> look_at;  // the point it looks at, m; nothing: ahead
     std::string note;  // a sentence on how obstacles changed the move; empty: not at all
 };
 

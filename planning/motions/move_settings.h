@@ -35,12 +35,16 @@ struct MoveKind {
 [[nodiscard]] std::span<const MoveKind> moveKinds();
 [[nodiscard]] const MoveKind* findMoveKind(std::string_view name);
 
+/// Texts of settings, by name.
+using MoveOptions = std::map<std::string, std::string>;
+
 /// A camera move made from a template, for example "orbit:target=sofa,radius=1.5". Settings that
 /// are not given are chosen to fit the scene.
 struct MoveRequest {
     std::string kind;
-    std::map<std::string, std::string> options;
+    MoveOptions options;
     std::optional<int> object_id = {};  // subject of the move if `options` name none
+    bool operator==(const MoveRequest&) const = default;
 };
 
 /// Parses a camera move such as "orbit:target=sofa,radius=1.5". Errors: Usage if the kind of move

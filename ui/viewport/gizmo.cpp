@@ -215,6 +215,15 @@ Eigen::Vector3d onScreenPlane(const render::ViewRay& ray, const GizmoView& view,
            (point - ray.origin).dot(forward) / ray.direction.dot(forward) * ray.direction;
 }
 
+std::optional<Eigen::Vector3d> onPlane(const render::ViewRay& ray, const Eigen::Vector3d& point,
+                                       const Eigen::Vector3d& normal) {
+    constexpr double kParallel = 0.01;  // a plane seen edge-on would follow the mouse wildly
+    const double towards = ray.direction.normalized().dot(normal);
+    const double away = (point - ray.origin).dot(normal);
+    if (std::abs(towards) < kParallel || away * towards <= 0.0) return std::nullopt;
+    return ray.origin + away / towards * ray.direction.normalized();
+}
+
 unsigned axisColor(int axis) {
     return kAxisColors[axis];
 }

@@ -60,6 +60,12 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state);
 [[nodiscard]] Eigen::Vector3d onScreenPlane(const render::ViewRay& ray, const GizmoView& view,
                                             const Eigen::Vector3d& point);
 
+/// The intersection of a ray with the plane through a point; nullopt if the ray does not meet it,
+/// or meets it at a grazing angle.
+[[nodiscard]] std::optional<Eigen::Vector3d> onPlane(const render::ViewRay& ray,
+                                                     const Eigen::Vector3d& point,
+                                                     const Eigen::Vector3d& normal);
+
 /// Colour of the x, y or z axis (0 to 2), as ImU32.
 [[nodiscard]] unsigned axisColor(int axis);
 

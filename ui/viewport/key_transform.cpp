@@ -43,16 +43,6 @@ void chooseAxis(KeyTransform& keys, int axis, bool tilts, bool locks) {
     keys.field = std::min(keys.field, fieldCount(keys) - 1);
 }
 
-/// The intersection of a ray with the plane through `at`; nullopt if the ray does not meet it.
-std::optional<Eigen::Vector3d> onPlane(const render::ViewRay& ray, const Eigen::Vector3d& at,
-                                       const Eigen::Vector3d& normal) {
-    constexpr double kParallel = 0.01;  // a plane seen edge-on would follow the mouse wildly
-    const double towards = ray.direction.normalized().dot(normal);
-    const double away = (at - ray.origin).dot(normal);
-    if (std::abs(towards) < kParallel || away * towards <= 0.0) return std::nullopt;
-    return ray.origin + away / towards * ray.direction.normalized();
-}
-
 /// The angle by which the mouse has turned around the element on the screen, as a rotation about
 /// the axis.
 double angleAround(const Eigen::Vector3d& axis, const GizmoView& view, const Eigen::Vector3d& at,

@@ -84,7 +84,8 @@ void MotionWorker::make(const planning::MoveRequest& move, const SharedMotion& a
                            givenMotion(planning::moveText(move), made->trajectory),
                            {},
                            {},
-                           made->note};
+                           made->note,
+                           made->look_at};
         }
         GivenMotion longer = *after;
         const planning::TimingParams& timing = shown.params.timing;

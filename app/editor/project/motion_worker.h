@@ -30,6 +30,7 @@ class MotionWorker {
         planning::MotionChange change = {};  // of a repair
         MotionFile file = {};                // that it was read from
         std::string note = {};  // of a move: how obstacles changed it; empty: not at all
+        std::optional<Eigen::Vector3d> look_at = {};  // of a move: the point it looks at, m
     };
 
     explicit MotionWorker(std::function<void()> wake) : worker_(std::move(wake)) {}

@@ -368,6 +368,11 @@ void Workspace::replan() {
     planner_.start({opened_->imported, stack_.state(), ++serial_});
 }
 
+void Workspace::stopPlanning() {
+    stopped_serial_ = serial_;
+    planner_.cancel();
+}
+
 void Workspace::updateLight() {
     lighter_.poll();
     const bool planning = planner_.state().busy;

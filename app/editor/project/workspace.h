@@ -115,6 +115,14 @@ class Workspace {
     void startLight() { lighter_.start(); }
     [[nodiscard]] BackgroundWorker::State loading() const { return loader_.state(); }
     [[nodiscard]] BackgroundWorker::State planning() const { return planner_.state(); }
+    /// Ends planning for the newest edits; the previous plan stays on the screen.
+    void stopPlanning();
+    /// Whether the newest edits have no plan because planning was stopped.
+    [[nodiscard]] bool planningStopped() const {
+        return isOpen() && stopped_serial_ == serial_ && !planner_.state().busy && !planIsCurrent();
+    }
+    /// Plans the newest edits.
+    void startPlanning() { replan(); }
     [[nodiscard]] bool saving() const { return saves_answered_ != save_serial_; }
     [[nodiscard]] bool lighting() const { return lighter_.state().busy; }
     /// Time from the last change to its trajectory, ms.
@@ -207,7 +215,8 @@ class Workspace {
     CommandStack::State state_when_asked_;  // state when opening another project was requested
     PlanOutcome shown_;
     std::uint64_t serial_ = 0;
-    std::uint64_t first_serial_ = 0;  // first serial of this project
+    std::uint64_t first_serial_ = 0;    // first serial of this project
+    std::uint64_t stopped_serial_ = 0;  // of the request that was stopped
     std::chrono::steady_clock::time_point changed_at_;
     double latency_ms_ = 0.0;
     std::vector<Notice> notices_;

@@ -128,6 +128,40 @@ class Motions(Task):
         self.assertGreater(state["plan"]["frames"], 10)
         self.assertEqual(state["plan"]["moves_in_collision"], 0)
 
+    def test_a_move_is_shown_before_it_is_made_and_dragged(self):
+        self.start_room()
+        self.show_preview(False)
+        self.select_row(SOFA)
+        self.editor.run_command("camera move: arc")
+        state = self.editor.wait(lambda now: "move.radius" in now["items"], "the handles")
+        self.assertEqual(state["edits"].get("motion"), None, "nothing is made yet")
+        self.assertEqual(state["move"], "arc")
+        before = state["move_path"]
+        self.assertGreater(len(before), 10)
+        x, y = self.editor.middle("move.radius")
+        cx, cy = next(one["px"] for one in state["objects"] if one["id"] == SOFA)
+        toward = (round(x + 0.3 * (cx - x)), round(y + 0.3 * (cy - y)))
+        self.editor.drag((x, y), toward)
+        state = self.editor.wait(lambda now: now["move_path"] not in ([], before), "a new path")
+        self.assertRegex(state["move"], r"^arc:radius=\d")
+        # Escape takes back a drag.
+        given = state["move"]
+        x, y = self.editor.middle("move.radius")
+        seen = []
+
+        def escape(state):
+            seen.append(state["move"])
+            if len(seen) == 4:
+                self.editor.key("esc")
+        self.editor.drag((x, y), (x + 60, y), look=escape)
+        self.assertNotEqual(seen[3], given)
+        self.assertEqual(self.editor.state()["move"], given)
+        self.assertEqual(self.editor.state()["selected"], [SOFA])
+        self.editor.reach("edits.move.make", "edits.boxes")
+        self.editor.click("edits.move.make")
+        state = self.editor.wait(lambda now: now["edits"].get("motion"), "the arc")
+        self.assertEqual(state["edits"]["motion"]["name"], given)
+
     def test_moves_without_an_object(self):
         self.start_room()
         for kind in ("orbit", "walk", "crane"):

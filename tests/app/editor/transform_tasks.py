@@ -1,7 +1,7 @@
 """Moving and rotating the selection with keys, as in Blender: G, R, axes and typed numbers."""
 import math
 
-from task import POSITION_POINT, SOFA, Task
+from task import MUG, POSITION_POINT, SOFA, TABLE, Task
 
 
 class Transforms(Task):
@@ -183,6 +183,42 @@ class Transforms(Task):
         self.editor.state()
         self.press("enter")
         self.assertAlmostEqual(self.move()["turn_rad"], math.pi / 2, delta=0.05)
+
+    def test_move_and_rotate_several_objects_together(self):
+        self.with_the_sofa()
+        for other in (TABLE, MUG):
+            left, top, _, bottom = self.editor.item(f"objects.row.{other}")[:4]
+            self.editor.click((left + 30, (top + bottom) / 2), keys=["ctrl"])
+        state = self.editor.wait(lambda state: len(state["selected"]) == 3, "three objects")
+        self.over_the_viewport()
+        self.press("g", "y")
+        self.assertEqual(self.editor.type("-0.3")["drag_text"], "Move along y: -0.3 m")
+        self.press("enter")
+
+        def moves():
+            changes = self.editor.idle()["edits"].get("changes", [])
+            return {change["object"]["id"]: change["move"] for change in changes}
+        self.assertEqual(set(moves()), {SOFA, TABLE, MUG})
+        for move in moves().values():
+            self.assertLess(math.dist(move["offset_m"], (0, -0.3, 0)), 1e-9)
+        self.assertEqual(self.editor.state()["history"], ["Open", "Move table and 2 more"])
+        self.assertEqual(len(self.editor.state()["selected"]), 3)
+        # A half turn moves each centre to the opposite side of the middle of the three.
+        self.press("r")
+        self.editor.type("180")
+        self.press("enter")
+        turned = moves()
+        for move in turned.values():
+            self.assertAlmostEqual(abs(move["turn_rad"]), math.pi)
+        shift = [sum(move["offset_m"][axis] for move in turned.values()) / 3 for axis in range(3)]
+        self.assertLess(math.dist(shift, (0, -0.3, 0)), 1e-9, "the middle stays")
+        self.assertGreater(math.dist(turned[SOFA]["offset_m"], (0, -0.3, 0)), 0.5)
+        self.press("alt+r", "alt+g")
+        self.assertEqual(moves(), {})
+        for _ in range(4):
+            self.press("ctrl+z")
+        state = self.editor.idle()
+        self.assertEqual(state["history_position"], 0)
 
     def test_move_and_tilt_a_position_point(self):
         point = self.start_project()["result"]["position_points"][0]

@@ -182,6 +182,24 @@ class Tuning(Task):
         state = self.editor.wait(lambda state: state["preview"]["final_light"], "the light", 300)
         self.assertNotIn("status.light.stop", state["items"])
 
+    def test_planning_is_stopped_and_begun_again(self):
+        self.start_room()
+        frames = self.editor.idle()["plan"]["frames"]
+        self.editor.type_value(self.find_parameter("octree_resolution_m"), "0.015")
+        state = self.editor.wait(lambda state: "status.plan.stop" in state["items"] or
+                                 state["plan_is_current"], "planning to begin")
+        if state["plan_is_current"]:
+            self.skipTest("the plan was made before it could be stopped")
+        self.editor.click("status.plan.stop")
+        state = self.editor.idle()
+        if state["plan_is_current"]:
+            self.skipTest("the plan was made before it could be stopped")
+        self.assertIn("status.plan.start", state["items"])
+        self.assertEqual(state["plan"]["frames"], frames, "the plan before stays")
+        self.editor.click("status.plan.start")
+        state = self.editor.wait(lambda state: state["plan_is_current"], "the plan", 300)
+        self.assertNotIn("status.plan.start", state["items"])
+
     def test_what_would_help_an_object_that_is_not_captured(self):
         self.start_room()
         self.assertLess(self.set_parameter("max_frames", "2")["plan"]["captured"], 5)

@@ -12,7 +12,7 @@ namespace dollytrack::ui {
 namespace {
 
 using planning::MoveSetting;
-using Options = std::map<std::string, std::string>;
+using Options = planning::MoveOptions;
 
 std::string itemName(const MoveSetting& setting) {
     return fmt::format("edits.move.{}", setting.name);
@@ -139,6 +139,12 @@ bool drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
                                    planning::settingLabel(kind->text), commandLine(view, draft))});
     flowTo("Close");
     if (!make && button("Close", "edits.move.close", {.tip = "Hide this form"})) draft.kind.clear();
+    if (!view.note.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().text_dim);
+        ImGui::TextWrapped("%s", view.note.c_str());
+        ImGui::PopStyleColor();
+        nameItem("edits.move.note", true);
+    }
     return make;
 }
 

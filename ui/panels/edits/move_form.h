@@ -13,7 +13,7 @@ namespace dollytrack::ui {
 struct MoveDraft {
     std::string kind;  // empty: none is chosen, and no form is shown
     /// By kind: the options that are set. The others are chosen to fit the scene.
-    std::map<std::string, std::map<std::string, std::string>> options;
+    std::map<std::string, planning::MoveOptions> options;
 
     /// The request that the form describes, without an object.
     [[nodiscard]] planning::MoveRequest request() const;
@@ -23,6 +23,7 @@ struct MoveDraft {
 struct MoveFormView {
     std::string why_not;  // why no move can be made now; empty: one can
     std::string target;   // name of the selected object; empty: not exactly one is selected
+    std::string note;     // how obstacles change the move, or why there is none; empty: not at all
     Eigen::Vector3d eye = Eigen::Vector3d::Zero();    // of the viewport's camera, m
     Eigen::Vector3d pivot = Eigen::Vector3d::Zero();  // the point that it turns about, m
 };

@@ -1,0 +1,68 @@
+#include "app/editor/viewport/move_previewer.h"
+
+#include <utility>
+
+namespace dollytrack::editor {
+
+void MovePreviewer::follow(const std::optional<planning::MoveRequest>& move,
+                           const PlanOutcome& shown) {
+    if (!move) {
+        if (move_) worker_.cancel();
+        move_.reset();
+        preview_.reset();
+        error_.reset();
+        drag_.reset();
+        note_.clear();
+        return;
+    }
+    if (move_ != move || serial_ != shown.serial) {
+        // The path of another kind of move, or around another object, would have wrong handles.
+        const bool same_subject =
+            move_ && move_->kind == move->kind && move_->object_id == move->object_id;
+        if (!same_subject) preview_.reset();
+        move_ = move;
+        serial_ = shown.serial;
+        worker_.make(*move, {}, shown);
+    }
+    take(shown);
+}
+
+void MovePreviewer::take(const PlanOutcome& shown) {
+    std::optional<Result<MotionWorker::Outcome>> outcome = worker_.take();
+    if (!outcome) return;
+    error_.reset();
+    note_.clear();
+    if (!*outcome) {
+        if (outcome->error().code != ErrorCode::Cancelled) error_ = outcome->error();
+        return;
+    }
+    ui::MovePreview preview;
+    for (const MotionFrame& frame : (*outcome)->motion.frames) {
+        preview.path.push_back(frame.pose.position);
+    }
+    preview.look_at = (*outcome)->look_at;
+    preview.floor_z = shown.scene->room_bounds.min().z();
+    preview.has_subject = move_->object_id.has_value() || move_->options.contains("target");
+    preview_ = std::move(preview);
+    note_ = (*outcome)->note;
+}
+
+bool MovePreviewer::takesMouse(const ui::GizmoView& view) const {
+    return dragging() || (move_ && preview_ && ui::isOnMoveHandle(view, *move_, *preview_));
+}
+
+void MovePreviewer::draw(const ui::GizmoView& view, ui::MoveDraft& draft) {
+    if (!move_ || !preview_) return;
+    planning::MoveRequest move = draft.request();
+    if (ui::drawMoveHandles(view, *preview_, move, drag_)) {
+        draft.options[draft.kind] = std::move(move.options);
+    }
+}
+
+void MovePreviewer::cancelDrag(ui::MoveDraft& draft) {
+    if (!drag_) return;
+    draft.options[draft.kind] = drag_->move.options;
+    drag_.reset();
+}
+
+}  // namespace dollytrack::editor
