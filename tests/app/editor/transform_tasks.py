@@ -201,7 +201,7 @@ class Transforms(Task):
         self.assertEqual(set(moves()), {SOFA, TABLE, MUG})
         for move in moves().values():
             self.assertLess(math.dist(move["offset_m"], (0, -0.3, 0)), 1e-9)
-        self.assertEqual(self.editor.state()["history"], ["Open", "Move table and 2 more"])
+        self.assertEqual(self.editor.state()["history"], ["Open", "Move sofa and 2 more"])
         self.assertEqual(len(self.editor.state()["selected"]), 3)
         # A half turn moves each centre to the opposite side of the middle of the three.
         self.press("r")

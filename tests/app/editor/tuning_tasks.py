@@ -191,7 +191,7 @@ class Tuning(Task):
         if state["plan_is_current"]:
             self.skipTest("the plan was made before it could be stopped")
         self.editor.click("status.plan.stop")
-        state = self.editor.idle()
+        state = self.editor.wait(lambda state: not state["busy"]["planning"], "planning to stop")
         if state["plan_is_current"]:
             self.skipTest("the plan was made before it could be stopped")
         self.assertIn("status.plan.start", state["items"])

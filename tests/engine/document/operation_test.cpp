@@ -290,7 +290,7 @@ TEST(Operation, FindsItsObjectsInAChangedSceneOrWarns) {
 }
 
 TEST(Operation, ATableEntryHasEverything) {
-    EXPECT_EQ(listOperations().size(), 37U);
+    EXPECT_EQ(listOperations().size(), 38U);
     for (const OperationInfo& info : listOperations()) {
         EXPECT_NE(info.apply, nullptr);
         EXPECT_FALSE(info.text.empty()) << info.op;
