@@ -255,6 +255,7 @@ class Editor {
     /// Shows the move of the form while its panel is open.
     void followMoveForm();
     void drawMove();
+    void showMove();  // brings its path into view
     /// Makes the move that the form describes. Asks first if the camera path has keys or is from a
     /// file.
     void makeMove();

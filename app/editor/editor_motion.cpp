@@ -123,6 +123,7 @@ ui::MotionView Editor::motionView() {
     if (view.has_scene && selected_.objects().size() == 1) {
         view.move.target = shown.scene->object(selected_.objects().front()).name;
     }
+    view.move.has_path = move_preview_.preview() != nullptr;
     view.move.note =
         move_preview_.error() != nullptr ? moveFault(*move_preview_.error()) : move_preview_.note();
     view.move.eye = viewPose().position;
@@ -168,7 +169,8 @@ void Editor::follow(const ui::MotionActions& actions) {
             readMotion({file->path, ui::motionWorlds()[world]});
         }
     }
-    if (actions.make) makeMove();
+    if (actions.move.make) makeMove();
+    if (actions.move.show) showMove();
 }
 
 void Editor::trimMotion(bool before) {
@@ -213,6 +215,13 @@ void Editor::followMoveForm() {
                         !motions_.state().busy;
     if (wanted && !workspace_.planIsCurrent()) return;  // the path before stays until then
     move_preview_.follow(wanted ? std::optional(moveOfForm()) : std::nullopt, workspace_.shown());
+}
+
+void Editor::showMove() {
+    if (move_preview_.preview() == nullptr) return;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& position : move_preview_.preview()->path) box.extend(position);
+    bringIntoView(box);
 }
 
 void Editor::drawMove() {

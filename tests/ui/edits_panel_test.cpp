@@ -55,7 +55,7 @@ class EditsPanelTest : public testing::Test {
         adds_key = adds_key || now.motion.add_key;
         if (now.motion.select_key >= 0) selected_key = now.motion.select_key;
         if (now.motion.look_through) looked = now.motion.look_through;
-        made += now.motion.make ? 1 : 0;
+        made += now.motion.move.make ? 1 : 0;
         if (now.motion.free_key) freed = static_cast<int>(*now.motion.free_key);
         if (now.motion.collision != 0) collision = now.motion.collision;
         replaces_key = replaces_key || now.motion.replace_key;

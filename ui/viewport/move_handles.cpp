@@ -16,6 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr float kHandleReach_px = 9.0F;
+constexpr ImU32 kColor = IM_COL32(255, 255, 255, 255);  // no other path is white
 constexpr double kFull_rad = 2.0 * std::numbers::pi;
 
 double headingFrom(const Vector3d& center, const Vector3d& at) {
@@ -80,14 +81,14 @@ const MoveHandle* handleUnderMouse(const GizmoView& view, const std::vector<Move
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (const MoveHandle& handle : handles) {
         const auto at = positionInWindow(view, handle.at);
-        if (at && std::hypot(mouse.x - at->x, mouse.y - at->y) < scaled(kHandleReach_px)) return &handle;
+        if (at && std::hypot(mouse.x - at->x, mouse.y - at->y) < scaled(kHandleReach_px))
+            return &handle;
     }
     return nullptr;
 }
 
 void drawPath(const GizmoView& view, const std::vector<Vector3d>& path) {
     ImDrawList* list = ImGui::GetWindowDrawList();
-    const ImU32 color = ImGui::GetColorU32(palette().accent);
     const auto draw = [&](ImU32 line_color, float width) {
         std::optional<ImVec2> last;
         for (const Vector3d& point : path) {
@@ -96,8 +97,8 @@ void drawPath(const GizmoView& view, const std::vector<Vector3d>& path) {
             last = at;
         }
     };
-    draw(IM_COL32(0, 0, 0, 140), 5.0F);  // an outline, to be seen on bright surfaces
-    draw(color, 2.5F);
+    draw(IM_COL32(0, 0, 0, 200), 6.0F);  // an outline, to be seen on bright surfaces
+    draw(kColor, 3.0F);
 }
 
 void drawHandle(const GizmoView& view, const planning::MoveRequest& move, const MoveHandle& handle,
@@ -105,8 +106,9 @@ void drawHandle(const GizmoView& view, const planning::MoveRequest& move, const 
     const auto at = positionInWindow(view, handle.at);
     if (!at) return;
     ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddCircleFilled(*at, scaled(lit ? 8.0F : 6.0F), IM_COL32(0, 0, 0, 200));
-    list->AddCircleFilled(*at, scaled(lit ? 6.5F : 4.5F), ImGui::GetColorU32(palette().accent));
+    list->AddCircleFilled(*at, scaled(lit ? 8.0F : 6.0F), IM_COL32(0, 0, 0, 255));
+    list->AddCircleFilled(*at, scaled(lit ? 6.5F : 4.5F),
+                          lit ? ImGui::GetColorU32(palette().accent) : kColor);
     nameArea("move." + handle.setting, at->x - 3, at->y - 3, at->x + 3, at->y + 3);
     if (!lit) return;
     std::string text = planning::settingLabel(handle.setting);

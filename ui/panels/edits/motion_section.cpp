@@ -284,7 +284,7 @@ MotionActions drawMotionSection(const MotionView& view, MoveDraft& move) {
             actions.edit.operation = {{"op", "clear_motion"}};
         }
     }
-    actions.make = drawMoveForm(view.move, move);
+    actions.move = drawMoveForm(view.move, move);
     return actions;
 }
 

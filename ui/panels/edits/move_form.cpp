@@ -110,7 +110,7 @@ planning::MoveRequest MoveDraft::request() const {
     return request;
 }
 
-bool drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
+MoveFormActions drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
     ImGui::TextColored(palette().text_dim, "Make a camera move");
     bool first = true;
     for (const planning::MoveKind& kind : planning::moveKinds()) {
@@ -124,7 +124,8 @@ bool drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
         }
     }
     const planning::MoveKind* kind = planning::findMoveKind(draft.kind);
-    if (kind == nullptr) return false;
+    MoveFormActions actions;
+    if (kind == nullptr) return actions;
     if (beginForm("move", 0.3F)) {
         for (const MoveSetting& setting : kind->settings) {
             drawSetting(view, setting, draft.options[draft.kind]);
@@ -132,20 +133,25 @@ bool drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
         endForm();
     }
     const std::string label = "Make " + draft.kind;
-    const bool make =
+    actions.make =
         button(label.c_str(), "edits.move.make",
                {.why_not = view.why_not,
                 .tip = fmt::format("{}. On the command line: {}",
                                    planning::settingLabel(kind->text), commandLine(view, draft))});
+    flowTo("Show");
+    actions.show = button("Show", "edits.move.show",
+                          {.why_not = view.has_path ? "" : "There is no path yet.",
+                           .tip = "Bring the path in the viewport into view"});
     flowTo("Close");
-    if (!make && button("Close", "edits.move.close", {.tip = "Hide this form"})) draft.kind.clear();
+    if (!actions.make && button("Close", "edits.move.close", {.tip = "Hide this form"}))
+        draft.kind.clear();
     if (!view.note.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().text_dim);
         ImGui::TextWrapped("%s", view.note.c_str());
         ImGui::PopStyleColor();
         nameItem("edits.move.note", true);
     }
-    return make;
+    return actions;
 }
 
 }  // namespace dollytrack::ui

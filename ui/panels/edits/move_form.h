@@ -21,15 +21,21 @@ struct MoveDraft {
 
 /// Input of the form for one window frame.
 struct MoveFormView {
-    std::string why_not;  // why no move can be made now; empty: one can
-    std::string target;   // name of the selected object; empty: not exactly one is selected
-    std::string note;     // how obstacles change the move, or why there is none; empty: not at all
+    std::string why_not;    // why no move can be made now; empty: one can
+    std::string target;     // name of the selected object; empty: not exactly one is selected
+    bool has_path = false;  // whether the viewport shows the path of the move
+    std::string note;  // how obstacles change the move, or why there is none; empty: not at all
     Eigen::Vector3d eye = Eigen::Vector3d::Zero();    // of the viewport's camera, m
     Eigen::Vector3d pivot = Eigen::Vector3d::Zero();  // the point that it turns about, m
 };
 
-/// Draws the kinds of moves, and a form with all settings of the chosen one. Returns whether to
-/// make the move.
-bool drawMoveForm(const MoveFormView& view, MoveDraft& draft);
+/// User actions of this frame.
+struct MoveFormActions {
+    bool make = false;
+    bool show = false;  // bring the path in the viewport into view
+};
+
+/// Draws the kinds of moves, and a form with all settings of the chosen one.
+MoveFormActions drawMoveForm(const MoveFormView& view, MoveDraft& draft);
 
 }  // namespace dollytrack::ui
