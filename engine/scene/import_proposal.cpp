@@ -21,7 +21,7 @@ std::vector<std::string> describe(const ImportProposal& proposal) {
     if (!proposal.unit_doubt.empty()) {
         lines.push_back(proposal.unit_doubt +
                         (proposal.unit_m ? fmt::format("; try --unit {:.4g}", *proposal.unit_m)
-                                         : "; give metres per unit if it is wrong"));
+                                         : "; if it is wrong, give metres per unit (--unit)"));
     }
     return lines;
 }

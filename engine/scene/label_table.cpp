@@ -12,6 +12,7 @@
 namespace dollytrack {
 
 /// The files of assets/labels, embedded as strings at build time.
+extern const char* const kLanguageLabels;
 extern const char* const kNyu40Labels;
 extern const char* const kFront3dLabels;
 extern const char* const kShapeNetLabels;
@@ -28,6 +29,32 @@ bool isLower(char c) {
 bool isLetter(char c) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0 ||
            (static_cast<unsigned char>(c) & 0x80U);
+}
+
+/// The small letter of a capital: Latin with accents, Greek and Cyrillic.
+unsigned smallLetter(unsigned code) {
+    const auto isIn = [&](unsigned first, unsigned last) { return code >= first && code <= last; };
+    if ((isIn(0xC0, 0xDE) && code != 0xD7) || isIn(0x391, 0x3A9) || isIn(0x410, 0x42F)) {
+        return code + 0x20;
+    }
+    if (isIn(0x400, 0x40F)) return code + 0x50;
+    // Here capitals and small letters alternate.
+    if (isIn(0x139, 0x148) || isIn(0x179, 0x17E)) return code + code % 2;
+    if (isIn(0x100, 0x137) || isIn(0x14A, 0x177)) return code | 1U;
+    return code;
+}
+
+/// Converts capitals of two bytes in UTF-8; those of ASCII are small already.
+std::string withSmallLetters(std::string word) {
+    for (std::size_t i = 0; i + 1 < word.size(); ++i) {
+        const unsigned lead = static_cast<unsigned char>(word[i]);
+        const unsigned next = static_cast<unsigned char>(word[i + 1]);
+        if ((lead & 0xE0U) != 0xC0U || (next & 0xC0U) != 0x80U) continue;
+        const unsigned code = smallLetter((lead & 0x1FU) << 6U | (next & 0x3FU));
+        word[i] = static_cast<char>(0xC0U | code >> 6U);
+        word[i + 1] = static_cast<char>(0x80U | (code & 0x3FU));
+    }
+    return word;
 }
 
 /// Reduces plurals: "shelves" to "shelf", "boxes" to "box".
@@ -101,7 +128,7 @@ std::vector<std::string> wordsOfName(std::string_view name) {
     std::vector<std::string> words;
     std::string word;
     const auto finish = [&] {
-        if (!word.empty()) words.push_back(std::move(word));
+        if (!word.empty()) words.push_back(withSmallLetters(std::move(word)));
         word.clear();
     };
     for (std::size_t i = 0; i < name.size(); ++i) {
@@ -142,6 +169,7 @@ const LabelTable& LabelTable::builtIn() {
     static const LabelTable table = [] {
         LabelTable made;
         // A test checks every line of these files, so errors cannot occur here.
+        static_cast<void>(made.add(kLanguageLabels, "languages.csv"));
         static_cast<void>(made.add(kNyu40Labels, "nyu40.csv"));
         static_cast<void>(made.add(kFront3dLabels, "front3d.csv"));
         static_cast<void>(made.add(kShapeNetLabels, "shapenet.csv"));

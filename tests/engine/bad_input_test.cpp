@@ -41,7 +41,7 @@ TEST(BadInput, UnknownExtensionsSayWhatToDo) {
     expectRefused(folder.write("scan.e57", "x"), "cloudcompare.org");
     expectRefused(folder.write("scan.laz", "x"), "cloudcompare.org");
     expectRefused(folder.write("room.3ds", "x"), "assimp export");
-    expectRefused(folder.write("room.wrl", "x"), "open it in Blender and export glTF");
+    expectRefused(folder.write("room.wrl", "x"), "osgconv IN out.obj");
     expectRefused(folder.write("room.abc", "x"), "lacks Alembic");
     expectRefused(folder.write("room.rvt", "x"), "export FBX or glTF from Revit");
     expectRefused(folder.write("room.STEP", "x"), "FreeCAD");

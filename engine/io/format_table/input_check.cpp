@@ -175,8 +175,9 @@ std::string adviceForProgram(const std::string& extension) {
         std::string_view advice;
     };
     static constexpr std::string_view kAssimp =
-        "convert it to OBJ with \"assimp export IN out.obj\" (Debian's assimp-utils)";
-    static constexpr std::string_view kBlender = "open it in Blender and export glTF";
+        "convert it to glTF with \"assimp export IN out.glb\" (Debian's assimp-utils)";
+    static constexpr std::string_view kOsg =
+        "convert it to OBJ with \"osgconv IN out.obj\" (Debian's openscenegraph)";
     static constexpr std::string_view kSplats =
         "save the Gaussian splats as an uncompressed PLY, for example in SuperSplat";
     static constexpr std::string_view kFreeCad = "open it in FreeCAD and export OBJ";
@@ -193,8 +194,8 @@ std::string adviceForProgram(const std::string& extension) {
          {".sog", kSplats},
          {".ksplat", kSplats},
          {".dxf", kAssimp},
-         {".x3d", kBlender},
-         {".wrl", kBlender},
+         {".x3d", kAssimp},
+         {".wrl", kOsg},
          {".abc", "open it in Blender 4 from blender.org and export glTF; Debian's lacks Alembic"},
          {".dwg", "export FBX or DXF from AutoCAD, and convert DXF with Debian's assimp-utils"},
          {".step", kFreeCad},

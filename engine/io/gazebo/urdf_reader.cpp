@@ -59,6 +59,7 @@ class UrdfReader {
             placed.push_back(std::move(one));
         }
         doubtCutOff();
+        doubtTextures();
         return objectsOf(std::move(placed), cleanText(robot.attribute("name").value()));
     }
 
@@ -138,6 +139,16 @@ class UrdfReader {
                         counted(names.size(), "link is", "links are"), listOf(names)));
     }
 
+    void doubtTextures() {
+        if (textures_.empty()) return;
+        std::vector<std::string> names;
+        for (const std::string& name : textures_) names.push_back(cleanText(name));
+        doubts_.push_back(fmt::format(
+            "textures of URDF materials are not read, so that these shapes have one colour; use "
+            "mesh files that contain the textures: {}",
+            listOf(names)));
+    }
+
     static bool isMovable(const pugi::xml_node& joint) {
         const std::string_view type = joint.attribute("type").value();
         return type == "revolute" || type == "continuous" || type == "prismatic";
@@ -202,6 +213,9 @@ class UrdfReader {
     /// The colour of a <material>: its own, otherwise that of the first material of its name.
     std::optional<Eigen::Vector4f> colorOfMaterial(const pugi::xml_node& material) {
         const std::string name = material.attribute("name").value();
+        if (const pugi::xml_node texture = material.child("texture")) {
+            textures_.insert(texture.attribute("filename").value());
+        }
         const auto own = colorOf(material.child("color").attribute("rgba").value());
         if (name.empty()) return own;
         if (own) colors_.try_emplace(name, *own);
@@ -312,6 +326,7 @@ class UrdfReader {
     std::map<std::string, Owner> owners_;           // by link
     std::map<std::string, Eigen::Affine3d> poses_;  // by link, in the root's frame
     std::map<std::string, Eigen::Vector4f> colors_;
+    std::set<std::string> textures_;  // files that materials name
     UnknownShapes unknown_shapes_;
     std::vector<std::string> doubts_;
     int hints_ = 0;  // number of searches for similar names

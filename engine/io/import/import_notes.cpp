@@ -64,10 +64,10 @@ void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<Object
     if (nameless > 0 && !named.empty()) {
         list += "; " + std::to_string(nameless) + " without a name of their own";
     }
-    report.notes.push_back(counted(merges.size(),
-                                   "piece was merged with the object it is attached to",
-                                   "pieces were merged with the objects they are attached to") +
-                           (list.empty() ? "" : ": " + list));
+    report.notes.push_back(
+        counted(merges.size(), "piece was merged with the object it is attached to",
+                "pieces were merged with the objects they are attached to") +
+        " (--keep-meshes leaves them apart)" + (list.empty() ? "" : ": " + list));
 }
 
 void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportReport& report) {

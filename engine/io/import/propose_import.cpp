@@ -36,9 +36,10 @@ std::string upDoubt(UpAxis likelier, const Scene& scene) {
 void doubtAxis(const FrameEvidence& evidence, const Scene& scene, ImportProposal& proposal) {
     const std::vector<UpEvidence> ranked = scoreUpAxes(evidence);
     constexpr double kLead = 1.0;
+    constexpr double kLeadAgainstFound = 1.5;  // both by evidence, once with the file's parts
     const double lead = scene.report.up_source == "file"
                             ? leadAgainstFormat(ranked.front().axis, kWorldUp, kLead)
-                            : kLead;
+                            : kLeadAgainstFound;
     if (!contradicts(evidence, ranked, kWorldUp, lead)) {
         proposal.up_unconfirmed = leadOf(ranked, kWorldUp) <= kUnconfirmingLead;
         return;

@@ -22,13 +22,15 @@ constexpr int kSofa = 6;
 constexpr int kTable = 7;
 constexpr int kDesk = 14;
 constexpr int kToilet = 33;
+constexpr int kLamp = 35;
 constexpr int kBathtub = 36;
 
 /// An object's extent along the tested up direction.
 struct Upright {
     const MeasuredObject* object = nullptr;
-    int nyu40 = 0;          // 0 if the class was found only by shape
-    bool building = false;  // by name
+    int nyu40 = 0;           // 0 if the class was found only by shape
+    bool building = false;   // by name
+    bool furniture = false;  // neither part of the building nor a lamp, which may hang from one
     double low = 0.0;
     double high = 0.0;
 };
@@ -38,8 +40,10 @@ std::vector<Upright> standUp(const std::vector<MeasuredObject>& objects, UpAxis 
     for (const MeasuredObject& object : objects) {
         const double a = axis.sign() * object.box.min()[axis.index()];
         const double b = axis.sign() * object.box.max()[axis.index()];
-        all.push_back({&object, object.by_shape ? 0 : object.nyu40,
-                       object.building && !object.by_shape, std::min(a, b), std::max(a, b)});
+        const int nyu40 = object.by_shape ? 0 : object.nyu40;
+        const bool building = object.building && !object.by_shape;
+        all.push_back({&object, nyu40, building, !building && nyu40 != kLamp, std::min(a, b),
+                       std::max(a, b)});
     }
     return all;
 }
@@ -86,7 +90,7 @@ double judgeStanding(const std::vector<Upright>& all, double height) {
     std::vector<double> lows;
     std::vector<double> highs;
     for (const Upright& one : all) {
-        if (one.building) continue;
+        if (!one.furniture) continue;
         lows.push_back(one.low);
         highs.push_back(one.high);
     }
@@ -123,7 +127,7 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
     std::vector<const Upright*> by_high;
     std::vector<const Upright*> by_low;
     for (const Upright& one : all) {
-        if (one.building) continue;
+        if (!one.furniture) continue;
         by_high.push_back(&one);
         by_low.push_back(&one);
     }
@@ -149,13 +153,13 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
            std::min(1.0, 4.0 * ballot.count() / static_cast<double>(by_low.size() + 1));
 }
 
-/// The share of objects (without parts of the building) that rest on others, minus half the share
+/// The share of furniture that rest on others, minus half the share
 /// that would rest if the scene were upside down.
 double judgeSupport(const std::vector<Upright>& all, UpAxis axis) {
     double rests = 0.0;
     int count = 0;
     for (const Upright& one : all) {
-        if (one.building) continue;
+        if (!one.furniture) continue;
         const SideSupport& support = one.object->support;
         rests += support[sideIndex(axis.index(), axis.negative)] >= kRestsShare;
         rests -= 0.5 * (support[sideIndex(axis.index(), !axis.negative)] >= kRestsShare);
