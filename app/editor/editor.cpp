@@ -113,6 +113,8 @@ void Editor::refreshScene() {
         comparison_.drop();
         motions_.cancel();
         move_preview_.follow(std::nullopt, workspace_.shown());
+        panels_.move = {};
+        move_drags_.clear();
         recorded_key_s_.reset();
         read_motions_.clear();
         repaired_motion_ = {};

@@ -256,6 +256,15 @@ class Editor {
     void followMoveForm();
     void drawMove();
     void showMove();  // brings its path into view
+    /// A drag of a handle of the camera move in the form, which undo takes back.
+    struct MoveDragStep {
+        CommandStack::State state;  // of the project at that time
+        std::string kind;
+        planning::MoveOptions before;
+    };
+    /// The latest drag of a handle, if nothing else was edited since; null: none.
+    [[nodiscard]] const MoveDragStep* lastMoveDrag() const;
+    bool undoMoveDrag();  // returns false if there is none
     /// Makes the move that the form describes. Asks first if the camera path has keys or is from a
     /// file.
     void makeMove();
@@ -437,6 +446,7 @@ class Editor {
     ui::PictureClasses frame_classes_;
     MotionWorker motions_{&Window::wake};
     MovePreviewer move_preview_{&Window::wake};
+    std::vector<MoveDragStep> move_drags_;
     struct ReadMotion {
         SharedMotion motion;
         MotionFile file;

@@ -127,9 +127,13 @@ void Editor::addFileCommands() {
 }
 
 void Editor::addEditCommands() {
-    commands_.add({"edit.undo", "Edit", "Undo", ctrl(GLFW_KEY_Z), [this] { workspace_.undo(); },
+    commands_.add({"edit.undo", "Edit", "Undo", ctrl(GLFW_KEY_Z),
+                   [this] {
+                       if (!undoMoveDrag()) workspace_.undo();
+                   },
                    [this]() -> std::string {
-                       return workspace_.history().canUndo() ? "" : "There is nothing to undo.";
+                       const bool any = workspace_.history().canUndo() || lastMoveDrag() != nullptr;
+                       return any ? "" : "There is nothing to undo.";
                    }});
     commands_.add({"edit.redo",
                    "Edit",
@@ -251,7 +255,7 @@ void Editor::addSelectionCommands() {
              } else if (gizmo_.dragging()) {
                  cancelDrag();
              } else if (move_preview_.dragging()) {
-                 move_preview_.cancelDrag(panels_.move);
+                 if (move_preview_.cancelDrag(panels_.move)) move_drags_.pop_back();
              } else if (panels_.viewport.cancelBoxSelect()) {
                  return;
              } else if (workspace_.loading().busy) {

@@ -226,8 +226,26 @@ void Editor::showMove() {
 
 void Editor::drawMove() {
     if (gizmo_.usesKeys()) return;
-    move_preview_.draw(handleView(), panels_.move);
+    if (auto before = move_preview_.draw(handleView(), panels_.move)) {
+        move_drags_.push_back(
+            {workspace_.history().state(), panels_.move.kind, std::move(*before)});
+    }
     if (move_preview_.dragging()) window_.animate();
+}
+
+const Editor::MoveDragStep* Editor::lastMoveDrag() const {
+    if (move_drags_.empty()) return nullptr;
+    const MoveDragStep& last = move_drags_.back();
+    const bool fits = last.kind == panels_.move.kind && last.state == workspace_.history().state();
+    return fits ? &last : nullptr;
+}
+
+bool Editor::undoMoveDrag() {
+    const MoveDragStep* last = lastMoveDrag();
+    if (last == nullptr) return false;
+    panels_.move.options[last->kind] = last->before;
+    move_drags_.pop_back();
+    return true;
 }
 
 void Editor::makeMove() {

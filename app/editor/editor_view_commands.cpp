@@ -35,7 +35,6 @@ void Editor::addViewCommands() {
                        leaveCameraView();
                        panels_.viewport.camera.frame(workspace_.shown().scene->room_bounds,
                                                      aspect());
-                       panels_.viewport.camera.distance *= 0.78;
                    },
                    needs_scene});
     using Axis = ui::ViewerCamera::Axis;

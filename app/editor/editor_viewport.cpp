@@ -162,7 +162,6 @@ void Editor::requestPicture() {
     if (scene_sync_.takeFirstView()) {
         panels_.viewport.camera.frame(workspace_.shown().scene->room_bounds,
                                       static_cast<double>(pane_.width) / pane_.height);
-        panels_.viewport.camera.distance *= 0.78;
     }
     ui::ViewRequest request;
     request.view = viewportView(panels_.viewport.camera);

@@ -367,6 +367,11 @@ class MoveMaker {
         auto way = repairAndTime(scene_, timing_, trajectoryThrough(divided(corners), 0.0),
                                  job_.stage(0.2, 0.6, request_.kind));
         if (!way) return tl::unexpected(std::move(way.error()));
+        if (const int cuts = way->change.paths_cut; cuts > 0) {
+            note_ =
+                fmt::format("The walk is cut at {} place{} where no way for the camera leads on.",
+                            cuts, cuts == 1 ? "" : "s");
+        }
         lookAhead(way->trajectory);
         const double duration = way->trajectory.frames.back().time_s;
         const double slower = values_.number("time", duration) / std::max(duration, 1e-9);

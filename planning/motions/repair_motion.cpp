@@ -204,8 +204,14 @@ class MotionRepair {
             given_frames_.push_back(given_first + given);
         }
         const int path = result_.frames.empty() ? 0 : result_.frames.back().path + 1;
-        const double late_s = late_s_;
-        late_s_ += frames.back().time_s - given_last.time_s;
+        double late_s = late_s_;
+        if (!result_.frames.empty()) {
+            // Given paths may follow each other without a pause, or have no times at all.
+            const double end_s = result_.frames.back().time_s;
+            const double begin_s = frames.front().time_s + late_s;
+            if (begin_s <= end_s) late_s += end_s + timing_.frame_interval_s - begin_s;
+        }
+        late_s_ = late_s + frames.back().time_s - given_last.time_s;
         double arc_m = 0.0;
         for (std::size_t i = 0; i < frames.size(); ++i) {
             TrajectoryFrame& frame = frames[i];

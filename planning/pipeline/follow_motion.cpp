@@ -5,6 +5,7 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/motions/key_motion.h"
+#include "planning/motions/motion_check.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,18 +15,21 @@ namespace {
 
 constexpr double kMotionMade = 0.7;  // progress
 
-/// Tests the moves of a path that begins at `start` for collisions and clearance; incomplete if
-/// cancelled.
+/// Tests the moves of a path that begins at `start` for collisions, as repairs do, and for
+/// clearance; incomplete if cancelled.
 void testMoves(SmoothPath& path, const Eigen::Vector3d& start, const SweptSphere& sphere,
-               const JobContext& job) {
+               const MotionCheck& check, const JobContext& job) {
     path.min_clearance_m = sphere.clearance(start, std::numeric_limits<double>::infinity());
     std::vector<SweepResult> sweeps(path.pieces.size());
     parallelFor(sweeps.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
-        sweeps[i] = sphere.segment(path.pieces[i].start, path.pieces[i].end);
+        const Eigen::Vector3d& from = path.pieces[i].start;
+        const Eigen::Vector3d& to = path.pieces[i].end;
+        sweeps[i] = sphere.segment(from, to);
+        if (!sweeps[i].free) sweeps[i].free = check.isFree(from, to);
     });
     // A path that stays at one place has no moves.
-    if (sweeps.empty() && !sphere.segment(start, start).free) path.collisions = 1;
+    if (sweeps.empty() && !check.isFree(start)) path.collisions = 1;
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
         path.pieces[i].collides = !sweeps[i].free;
         path.collisions += sweeps[i].free ? 0 : 1;
@@ -84,10 +88,11 @@ Result<FollowedMotion> followMotion(const GivenMotion& motion, const MappedScene
         frame.arc_m = smooth.length_m;
     }
     const JobContext tests = job.stage(kMotionMade, 1.0, "collision tests");
+    const MotionCheck check(scene);
     for (std::size_t i = 0; i < made.paths.size() && !job.cancelled(); ++i) {
         tests.report(static_cast<double>(i) / static_cast<double>(made.paths.size()));
         testMoves(made.smooth_paths[i], made.paths[i].vertices.front().position, *scene.sphere,
-                  job);
+                  check, job);
     }
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     return followed;

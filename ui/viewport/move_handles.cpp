@@ -77,6 +77,18 @@ const planning::MoveSetting* settingOf(const MoveDrag& drag) {
     return found == kind->settings.end() ? nullptr : &*found;
 }
 
+/// The handles without those that would move along the viewing direction.
+std::vector<MoveHandle> usableHandles(const GizmoView& view, const planning::MoveRequest& move,
+                                      const MovePreview& preview) {
+    constexpr double kSteepest = 0.94;  // 20 degrees from the vertical
+    std::vector<MoveHandle> handles = moveHandles(move, preview);
+    if (std::abs(view.view.pose.forward().z()) > kSteepest) {
+        std::erase_if(handles,
+                      [](const MoveHandle& handle) { return handle.setting.ends_with("height"); });
+    }
+    return handles;
+}
+
 const MoveHandle* handleUnderMouse(const GizmoView& view, const std::vector<MoveHandle>& handles) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (const MoveHandle& handle : handles) {
@@ -175,12 +187,12 @@ planning::MoveOptions draggedOptions(const MoveDrag& drag, const render::ViewRay
 
 bool isOnMoveHandle(const GizmoView& view, const planning::MoveRequest& move,
                     const MovePreview& preview) {
-    return handleUnderMouse(view, moveHandles(move, preview)) != nullptr;
+    return handleUnderMouse(view, usableHandles(view, move, preview)) != nullptr;
 }
 
 bool drawMoveHandles(const GizmoView& view, const MovePreview& preview, planning::MoveRequest& move,
                      std::optional<MoveDrag>& drag) {
-    std::vector<MoveHandle> handles = moveHandles(move, preview);
+    const std::vector<MoveHandle> handles = usableHandles(view, move, preview);
     const MoveHandle* hot = view.hovered ? handleUnderMouse(view, handles) : nullptr;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const render::ViewRay ray =

@@ -90,9 +90,17 @@ void ViewerCamera::frame(const Eigen::AlignedBox3d& box, double aspect) {
     if (box.isEmpty()) return;
     pivot = box.center();
     const double half_width = std::tan(0.5 * hfov_deg * kPi / 180.0);
-    const double tighter = std::min(half_width, half_width / std::max(aspect, 0.1));
-    const double radius = std::max(0.5 * box.sizes().norm(), 0.1);
-    distance = radius / std::sin(std::atan(tighter));
+    const double half_height = half_width / std::max(aspect, 0.1);
+    constexpr double kBorder = 1.05;
+    constexpr double kNearest_m = 0.3;
+    distance = kNearest_m;
+    for (int i = 0; i < 8; ++i) {
+        const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(i);
+        const Eigen::Vector3d at = pose().rotation.conjugate() * (box.corner(corner) - pivot);
+        const double from_pivot =
+            kBorder * std::max(std::abs(at.x()) / half_width, std::abs(at.y()) / half_height);
+        distance = std::max(distance, orthographic ? from_pivot : from_pivot - at.z());
+    }
 }
 
 void ViewerCamera::lookFrom(Axis axis) {

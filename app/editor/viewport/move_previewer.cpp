@@ -51,18 +51,23 @@ bool MovePreviewer::takesMouse(const ui::GizmoView& view) const {
     return dragging() || (move_ && preview_ && ui::isOnMoveHandle(view, *move_, *preview_));
 }
 
-void MovePreviewer::draw(const ui::GizmoView& view, ui::MoveDraft& draft) {
-    if (!move_ || !preview_) return;
+std::optional<planning::MoveOptions> MovePreviewer::draw(const ui::GizmoView& view,
+                                                         ui::MoveDraft& draft) {
+    if (!move_ || !preview_) return std::nullopt;
     planning::MoveRequest move = draft.request();
-    if (ui::drawMoveHandles(view, *preview_, move, drag_)) {
-        draft.options[draft.kind] = std::move(move.options);
-    }
+    const bool changed = ui::drawMoveHandles(view, *preview_, move, drag_);
+    const bool first = changed && !drag_changed_;
+    drag_changed_ = drag_ && (drag_changed_ || changed);
+    if (!changed) return std::nullopt;
+    std::swap(draft.options[draft.kind], move.options);
+    return first ? std::optional(std::move(move.options)) : std::nullopt;
 }
 
-void MovePreviewer::cancelDrag(ui::MoveDraft& draft) {
-    if (!drag_) return;
+bool MovePreviewer::cancelDrag(ui::MoveDraft& draft) {
+    if (!drag_) return false;
     draft.options[draft.kind] = drag_->move.options;
     drag_.reset();
+    return std::exchange(drag_changed_, false);
 }
 
 }  // namespace dollytrack::editor

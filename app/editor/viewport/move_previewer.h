@@ -23,10 +23,11 @@ class MovePreviewer {
     /// Whether a handle takes the mouse in this window frame.
     [[nodiscard]] bool takesMouse(const ui::GizmoView& view) const;
     [[nodiscard]] bool dragging() const { return drag_.has_value(); }
-    /// Draws the path and its handles, which change the options of the form.
-    void draw(const ui::GizmoView& view, ui::MoveDraft& draft);
-    /// Ends a drag and restores the options before it.
-    void cancelDrag(ui::MoveDraft& draft);
+    /// Draws the path and its handles, which change the options of the form. At the first change of
+    /// a drag, returns the options before it.
+    std::optional<planning::MoveOptions> draw(const ui::GizmoView& view, ui::MoveDraft& draft);
+    /// Ends a drag and restores the options before it. Returns whether it had changed them.
+    bool cancelDrag(ui::MoveDraft& draft);
 
     /// The move on the screen, which may be older than the form; null: none.
     [[nodiscard]] const ui::MovePreview* preview() const { return preview_ ? &*preview_ : nullptr; }
@@ -45,6 +46,7 @@ class MovePreviewer {
     std::string note_;
     std::optional<Error> error_;
     std::optional<ui::MoveDrag> drag_;
+    bool drag_changed_ = false;  // the options
 };
 
 }  // namespace dollytrack::editor
