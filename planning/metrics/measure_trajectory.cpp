@@ -1,4 +1,5 @@
 #include "engine/jobs/parallel.h"
+#include "planning/collision/path_clearance.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/metrics/estimate_captures.h"
 #include "planning/metrics/minimum_clearance.h"
@@ -35,10 +36,13 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
     std::vector<char> cuts(count, 0);
     parallelFor(count, [&](std::size_t i) {
         if (!followsOn(trajectory, i)) return;
-        cuts[i] = !sphere
-                       .segment(trajectory.frames[i - 1].pose.position,
-                                trajectory.frames[i].pose.position)
-                       .free;
+        const Eigen::Vector3d& from = trajectory.frames[i - 1].pose.position;
+        const Eigen::Vector3d& to = trajectory.frames[i].pose.position;
+        const SweepResult sweep = sphere.segment(from, to);
+        // A sphere that touches a surface has no proof, but does not hit it.
+        cuts[i] = !sweep.free &&
+                  (sweep.reason != Verdict::InObstacle ||
+                   smallestClearance(rays, {from, to}, sphere.radius(), {}) < sphere.radius());
     });
     metrics.straight_lines_that_hit = static_cast<int>(std::count(cuts.begin(), cuts.end(), 1));
     metrics.minimum_clearance = findMinimumClearance(paths, trajectory, rays);

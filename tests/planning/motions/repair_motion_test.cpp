@@ -1,10 +1,12 @@
 #include "planning/motions/repair_motion.h"
 
+#include "engine/document/given_motion.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/motion_metrics.h"
 #include "planning/baselines/baseline_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/pipeline/follow_motion.h"
 #include "planning/pipeline/pipeline.h"
 #include "planning/timing/motion_limits.h"
 #include "tests/planning/support/slow_checker.h"
@@ -171,6 +173,9 @@ TEST(RepairMotion, KeepsMotionThatTouches) {
     const MappedScene scene = mapped(roomWithCupboard());
     const Trajectory given = line({0.5, 1.1003, 1.2}, {5.5, 1.1003, 1.2}, 0.4);
     EXPECT_TRUE(isSame(repaired(scene, given).trajectory, given));
+    const auto followed = followMotion(givenMotion("touching", given), scene, {}, {});
+    ASSERT_TRUE(followed);
+    EXPECT_EQ(followed->made.smooth_paths.front().collisions, 0);
 }
 
 TEST(RepairMotion, GoesThroughTheDoor) {
@@ -197,6 +202,15 @@ TEST(RepairMotion, CutsAtAClosedWall) {
     }
     EXPECT_LE(result.change.largest_shift_m, 0.2);
     EXPECT_EQ(overlaps(test_support::SlowChecker(*scene.scene), result.trajectory), 0);
+}
+
+TEST(RepairMotion, PartsWithoutTimesFollowEachOther) {
+    const MappedScene scene = mapped(twoClosedRooms());
+    Trajectory given = line({1.0, 1.5, 1.2}, {5.0, 1.5, 1.2}, 0.4);
+    for (TrajectoryFrame& frame : given.frames) frame.time_s = 0.0;
+    const RepairedMotion result = repaired(scene, given);
+    ASSERT_EQ(result.change.paths_cut, 1);
+    EXPECT_FALSE(findFault(givenMotion("parts", result.trajectory)).has_value());
 }
 
 // It begins inside the cupboard, nearer to its far side than to the rest of the motion.
