@@ -19,7 +19,10 @@ void MovePreviewer::follow(const std::optional<planning::MoveRequest>& move,
         // The path of another kind of move, or around another object, would have wrong handles.
         const bool same_subject =
             move_ && move_->kind == move->kind && move_->object_id == move->object_id;
-        if (!same_subject) preview_.reset();
+        if (!same_subject) {
+            preview_.reset();
+            drag_.reset();
+        }
         move_ = move;
         serial_ = shown.serial;
         worker_.make(*move, {}, shown);
