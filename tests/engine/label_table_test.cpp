@@ -185,6 +185,21 @@ TEST(LabelTable, BuiltInTableIsReadToItsEnd) {
     EXPECT_EQ(LabelTable::builtIn().find("20000041").kind, LabelKind::Target);
 }
 
+TEST(LabelTable, KnowsWordsOfOtherLanguages) {
+    const LabelTable& table = LabelTable::builtIn();
+    const auto classOf = [&](std::string_view name) { return table.find(name).nyu40; };
+    for (const char* name : {"стол", "Стол_02", "СТОЛ", "mesa.001", "Tisch", "桌子_3", "Stół"}) {
+        EXPECT_EQ(classOf(name), nyu40FromName("table")) << name;
+    }
+    EXPECT_EQ(classOf("Żłóbek"), 0);
+    EXPECT_EQ(table.find("duvar").kind, LabelKind::Structure);
+    EXPECT_EQ(table.find("Fenêtre").kind, LabelKind::Structure);
+    EXPECT_EQ(table.find("FENÊTRE").nyu40, nyu40FromName("window"));
+    // "机" is a desk or a machine, so that any other word counts more.
+    EXPECT_EQ(table.find("机").kind, LabelKind::Weak);
+    EXPECT_EQ(classOf("lamp_机"), nyu40FromName("lamp"));
+}
+
 // "wood" is less specific than "chair", in any position.
 TEST(LabelTable, TheMostTellingWordNamesAThing) {
     const LabelTable& table = LabelTable::builtIn();
