@@ -265,6 +265,7 @@ class Editor {
     /// The latest drag of a handle, if nothing else was edited since; null: none.
     [[nodiscard]] const MoveDragStep* lastMoveDrag() const;
     bool undoMoveDrag();  // returns false if there is none
+    void cancelMoveDrag();
     /// Makes the move that the form describes. Asks first if the camera path has keys or is from a
     /// file.
     void makeMove();

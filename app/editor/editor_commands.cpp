@@ -255,7 +255,7 @@ void Editor::addSelectionCommands() {
              } else if (gizmo_.dragging()) {
                  cancelDrag();
              } else if (move_preview_.dragging()) {
-                 if (move_preview_.cancelDrag(panels_.move)) move_drags_.pop_back();
+                 cancelMoveDrag();
              } else if (panels_.viewport.cancelBoxSelect()) {
                  return;
              } else if (workspace_.loading().busy) {

@@ -213,7 +213,8 @@ void Editor::followMoveForm() {
     const bool wanted = !panels_.move.kind.empty() && docks_.isOpen(panelName(Panel::ByHand)) &&
                         workspace_.isOpen() && workspace_.shown().scene && !through_camera_ &&
                         !motions_.state().busy;
-    if (wanted && !workspace_.planIsCurrent()) return;  // the path before stays until then
+    // While planning, the path of the previous plan stays visible.
+    if (wanted && workspace_.planning().busy) return;
     move_preview_.follow(wanted ? std::optional(moveOfForm()) : std::nullopt, workspace_.shown());
 }
 
@@ -240,7 +241,15 @@ const Editor::MoveDragStep* Editor::lastMoveDrag() const {
     return fits ? &last : nullptr;
 }
 
+void Editor::cancelMoveDrag() {
+    if (move_preview_.cancelDrag(panels_.move) && !move_drags_.empty()) move_drags_.pop_back();
+}
+
 bool Editor::undoMoveDrag() {
+    if (move_preview_.dragging()) {
+        cancelMoveDrag();
+        return true;
+    }
     const MoveDragStep* last = lastMoveDrag();
     if (last == nullptr) return false;
     panels_.move.options[last->kind] = last->before;

@@ -169,7 +169,7 @@ void Editor::moveDragged(const ui::PoseChange& change) {
     for (const auto& [id, before, center] : before_drag_) {
         nlohmann::json move = {{"object", objectKey(*workspace_.shown().scene, id)}};
         Eigen::Vector3d by = change.offset_m;
-        if (change.yaw_rad != 0.0) {
+        if (gizmo_.turning()) {
             by += middle + turn * (center - middle) - center;
             move["turn_deg"] = turnDegrees(before.turn_rad + change.yaw_rad, before.turn_rad);
         }

@@ -458,9 +458,9 @@ void Editor::drawCentre() {
     const std::optional<ui::GizmoView> clip = clipView();
     const bool box = panels_.viewport.box_select;  // takes the mouse from all handles
     view.on_handle =
-        !box && ((handles && gizmo_.takesMouse(*handles)) ||
-                 move_preview_.takesMouse(handleView()) ||
-                 (clip && (clip_handles_.dragged >= 0 || ui::isOnClipHandle(*clip, clip_.box))));
+        !box &&
+        ((handles && gizmo_.takesMouse(*handles)) || move_preview_.takesMouse(handleView()) ||
+         (clip && (clip_handles_.dragged >= 0 || ui::isOnClipHandle(*clip, clip_.box))));
     view.covered =
         preview_hovered_ || panels_.legend.hovered || panels_.preview.full || gizmo_.usesKeys();
     pane_ = ui::drawViewport(view, panels_.viewport);

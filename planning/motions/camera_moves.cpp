@@ -369,7 +369,7 @@ class MoveMaker {
         if (!way) return tl::unexpected(std::move(way.error()));
         if (const int cuts = way->change.paths_cut; cuts > 0) {
             note_ =
-                fmt::format("The walk is cut at {} place{} where no way for the camera leads on.",
+                fmt::format("The walk is cut at {} place{} where no collision-free path exists.",
                             cuts, cuts == 1 ? "" : "s");
         }
         lookAhead(way->trajectory);

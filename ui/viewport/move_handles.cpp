@@ -173,10 +173,10 @@ planning::MoveOptions draggedOptions(const MoveDrag& drag, const render::ViewRay
         options[drag.handle.setting] = planning::optionText(value);
         return options;
     }
-    if (drag.handle.setting != "center" && !options.contains("from")) {
+    if (drag.handle.setting != "center" && !(options.contains("from") && options.contains("to"))) {
         // Both ends are given from now on, and still the same point is looked at.
-        options["from"] = planning::optionText(drag.preview.path.front());
-        options["to"] = planning::optionText(drag.preview.path.back());
+        options.try_emplace("from", planning::optionText(drag.preview.path.front()));
+        options.try_emplace("to", planning::optionText(drag.preview.path.back()));
         if (drag.move.kind == "dolly" && drag.preview.look_at && !options.contains("target")) {
             options["center"] = planning::optionText(*drag.preview.look_at);
         }

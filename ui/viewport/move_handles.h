@@ -27,20 +27,22 @@ struct MoveHandle {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();  // m, world
 };
 
-/// The handles of a move, on its path.
+/// The handles of a move: on its path, and one at the centre if it looks at no object. Empty for a
+/// path of fewer than two positions.
 [[nodiscard]] std::vector<MoveHandle> moveHandles(const planning::MoveRequest& move,
                                                   const MovePreview& preview);
 
-/// A drag of a handle; what is needed of its beginning.
+/// A handle being dragged, with the move, path and mouse ray at the start of the drag.
 struct MoveDrag {
     MoveHandle handle;
     planning::MoveRequest move;
     MovePreview preview;
-    render::ViewRay ray;  // under the mouse
+    render::ViewRay ray;  // world
 };
 
 /// The options of the move, changed so that the handle follows the mouse to this ray. Points and
-/// radii move level, heights up and down; the ends of an arc turn about its centre.
+/// radii move level, heights up and down; the end of an arc turns about its centre and lengthens it
+/// at both ends.
 [[nodiscard]] planning::MoveOptions draggedOptions(const MoveDrag& drag,
                                                    const render::ViewRay& ray);
 

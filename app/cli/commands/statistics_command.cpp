@@ -82,6 +82,9 @@ Result<DatasetStatistics> collectColumn(const std::string& argument, const Colum
                                         std::size_t examples, bool skip_damaged,
                                         const JobContext& job) {
     const std::size_t count = column.size();
+    if (count == 0) {  // a folder that leads only to itself
+        return fail(ErrorCode::BadInput, "The folder contains no dataset.", argument);
+    }
     const std::vector<int> shown = view::evenlySpaced(examples, count);
     const std::size_t measured = std::max<std::size_t>(1, statistics::kMostImages / count);
     std::optional<DatasetStatistics> sum;

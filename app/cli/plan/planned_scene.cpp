@@ -228,10 +228,9 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
 std::string whyEmpty(const PlannedScene& planned) {
     if (!planned.trajectory.frames.empty()) return {};
     if (!planned.nothing_free.empty()) return planned.nothing_free;
-    return "nothing in the scene can be captured; 'dollytrack info' lists the objects; if one of "
-           "them "
-           "holds the furniture, split it (operation split of 'dollytrack edit'), or look at all "
-           "surfaces (--set objective=surface)";
+    return "nothing can be captured; split objects that contain furniture (operation split of "
+           "'dollytrack edit'), or pass --set objective=surface; 'dollytrack info' lists the "
+           "objects";
 }
 
 Result<PlannedScene> planOrReuse(const OpenedScene& opened, const JobContext& job) {

@@ -17,7 +17,8 @@ class MovePreviewer {
   public:
     explicit MovePreviewer(std::function<void()> wake) : worker_(std::move(wake)) {}
 
-    /// To be called every window frame, with the move that the form describes; nothing hides it.
+    /// Call once per window frame with the camera move of the form, or nullopt to remove the
+    /// preview.
     void follow(const std::optional<planning::MoveRequest>& move, const PlanOutcome& shown);
 
     /// Whether a handle takes the mouse in this window frame.
@@ -40,13 +41,13 @@ class MovePreviewer {
     void take(const PlanOutcome& shown);
 
     MotionWorker worker_;
-    std::optional<planning::MoveRequest> move_;  // that was asked for last
-    std::uint64_t serial_ = 0;                   // of the plan that it was asked for
+    std::optional<planning::MoveRequest> move_;  // the last move requested from the worker
+    std::uint64_t serial_ = 0;                   // of the plan for which it was requested
     std::optional<ui::MovePreview> preview_;
     std::string note_;
     std::optional<Error> error_;
     std::optional<ui::MoveDrag> drag_;
-    bool drag_changed_ = false;  // the options
+    bool drag_changed_ = false;  // whether the current drag has changed the options
 };
 
 }  // namespace dollytrack::editor

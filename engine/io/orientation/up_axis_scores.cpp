@@ -28,9 +28,9 @@ constexpr int kBathtub = 36;
 /// An object's extent along the tested up direction.
 struct Upright {
     const MeasuredObject* object = nullptr;
-    int nyu40 = 0;           // 0 if the class was found only by shape
-    bool building = false;   // by name
-    bool furniture = false;  // neither part of the building nor a lamp, which may hang from one
+    int nyu40 = 0;              // 0 if the class was found only by shape
+    bool building = false;      // by name
+    bool should_stand = false;  // neither part of the building nor a lamp, which may hang
     double low = 0.0;
     double high = 0.0;
 };
@@ -90,7 +90,7 @@ double judgeStanding(const std::vector<Upright>& all, double height) {
     std::vector<double> lows;
     std::vector<double> highs;
     for (const Upright& one : all) {
-        if (!one.furniture) continue;
+        if (!one.should_stand) continue;
         lows.push_back(one.low);
         highs.push_back(one.high);
     }
@@ -127,7 +127,7 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
     std::vector<const Upright*> by_high;
     std::vector<const Upright*> by_low;
     for (const Upright& one : all) {
-        if (!one.furniture) continue;
+        if (!one.should_stand) continue;
         by_high.push_back(&one);
         by_low.push_back(&one);
     }
@@ -153,13 +153,13 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
            std::min(1.0, 4.0 * ballot.count() / static_cast<double>(by_low.size() + 1));
 }
 
-/// The share of furniture that rest on others, minus half the share
+/// The share of standing objects that rest on others, minus half the share
 /// that would rest if the scene were upside down.
 double judgeSupport(const std::vector<Upright>& all, UpAxis axis) {
     double rests = 0.0;
     int count = 0;
     for (const Upright& one : all) {
-        if (!one.furniture) continue;
+        if (!one.should_stand) continue;
         const SideSupport& support = one.object->support;
         rests += support[sideIndex(axis.index(), axis.negative)] >= kRestsShare;
         rests -= 0.5 * (support[sideIndex(axis.index(), !axis.negative)] >= kRestsShare);

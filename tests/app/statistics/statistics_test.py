@@ -340,6 +340,8 @@ class Command(StatisticsCase):
         empty = self.folder / "empty"
         empty.mkdir()
         self.assertFails(run("statistics", empty), 4, "no dataset", "empty")
+        (empty / "loop").symlink_to(empty)
+        self.assertFails(run("statistics", empty), 4, "no dataset", "empty")
         self.assertFails(run("statistics", self.part, empty, "-o", self.folder / "x.html"), 4,
                          "no dataset", "empty")
         self.assertFails(run("statistics", self.folder / "nowhere"), 4, "does not exist")
