@@ -108,7 +108,8 @@ class Editor {
     void addWindowCommands();
     /// The handles of the clipping box, if it is on.
     void drawClip();
-    /// The viewport for handles that leave the mouse to the gizmo, the preview and the legend.
+    /// The view for drawing handles other than the gizmo's. `hovered` is false where the gizmo, the
+    /// camera preview or the legend takes the mouse; the pose is unset.
     [[nodiscard]] ui::GizmoView handleView();
     [[nodiscard]] std::optional<ui::GizmoView> clipView();
     void toggleClipBox();
@@ -223,8 +224,8 @@ class Editor {
     [[nodiscard]] int movableObject() const;
     /// The object's box with the newest edits, which the scene on the screen may lack.
     [[nodiscard]] OrientedBox objectBox(int id) const;
-    /// Position of the gizmo of objects, and its heading: of one object its centre and rotation,
-    /// of several the middle of their centres.
+    /// Where the gizmo of these objects is drawn. For one object: the centre of its box, with the
+    /// object's rotation as yaw. For several: the mean of their centres, without rotation.
     [[nodiscard]] Pose poseOfObjects(const std::vector<int>& ids) const;
     /// The objects that edits have moved since the scene on the screen was built.
     [[nodiscard]] std::vector<ui::MovedObject> movedObjects() const;
@@ -250,9 +251,9 @@ class Editor {
     void takeMotion();
     /// Removes the part of the given motion before or after the current frame.
     void trimMotion(bool before);
-    /// The move that the form describes, with the selected object.
+    /// The camera move set up in the form; its subject is the selected object, if there is one.
     [[nodiscard]] planning::MoveRequest moveOfForm() const;
-    /// Shows the move of the form while its panel is open.
+    /// Keeps the previewed camera move equal to the form while the form's panel is open.
     void followMoveForm();
     void drawMove();
     void showMove();  // brings its path into view

@@ -39,7 +39,7 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
         const Eigen::Vector3d& from = trajectory.frames[i - 1].pose.position;
         const Eigen::Vector3d& to = trajectory.frames[i].pose.position;
         const SweepResult sweep = sphere.segment(from, to);
-        // A sphere that touches a surface has no proof, but does not hit it.
+        // SweptSphere also rejects contact without overlap; only overlap counts as a hit.
         cuts[i] = !sweep.free &&
                   (sweep.reason != Verdict::InObstacle ||
                    smallestClearance(rays, {from, to}, sphere.radius(), {}) < sphere.radius());

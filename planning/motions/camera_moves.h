@@ -13,7 +13,7 @@ namespace dollytrack::planning {
 /// A camera move that was made.
 struct CameraMove {
     Trajectory trajectory;
-    std::optional<Eigen::Vector3d> look_at;  // the point it looks at, m; nothing: ahead
+    std::optional<Eigen::Vector3d> look_at;  // world, m; nullopt: it looks along its path
     std::string note;  // a sentence on how obstacles changed the move; empty: not at all
 };
 

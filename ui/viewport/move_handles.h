@@ -16,7 +16,7 @@ namespace dollytrack::ui {
 /// A camera move as it would be made.
 struct MovePreview {
     std::vector<Eigen::Vector3d> path;       // positions of the camera, m, world
-    std::optional<Eigen::Vector3d> look_at;  // the point it looks at; nothing: ahead
+    std::optional<Eigen::Vector3d> look_at;  // world, m; nullopt: it looks along its path
     double floor_z = 0.0;                    // heights of settings are above it, m
     bool has_subject = false;                // whether an object is looked at
 };
@@ -40,9 +40,9 @@ struct MoveDrag {
     render::ViewRay ray;  // world
 };
 
-/// The options of the move, changed so that the handle follows the mouse to this ray. Points and
-/// radii move level, heights up and down; the end of an arc turns about its centre and lengthens it
-/// at both ends.
+/// The move's options after dragging the handle to the mouse ray `ray`. Handles of points and of
+/// the radius move horizontally, those of heights vertically. The arc's handle turns about its
+/// centre, and the arc becomes longer or shorter at both ends.
 [[nodiscard]] planning::MoveOptions draggedOptions(const MoveDrag& drag,
                                                    const render::ViewRay& ray);
 

@@ -117,7 +117,7 @@ class Workspace {
     [[nodiscard]] BackgroundWorker::State planning() const { return planner_.state(); }
     /// Ends planning for the newest edits; the previous plan stays on the screen.
     void stopPlanning();
-    /// Whether the newest edits have no plan because planning was stopped.
+    /// Whether planning was stopped before the newest edits had a plan.
     [[nodiscard]] bool planningStopped() const {
         return isOpen() && stopped_serial_ == serial_ && !planner_.state().busy && !planIsCurrent();
     }

@@ -45,7 +45,7 @@ struct MotionActions {
     bool repair = false;
     bool cancel = false;
     int read_in_world = -1;               // read the file again, in this coordinate system; -1: no
-    MoveFormActions move;                 // on the camera move that the form describes
+    MoveFormActions move;                 // buttons of the form for a camera move
     bool add_key = false;                 // from the viewport's view
     bool replace_key = false;             // the selected key, by the viewport's view
     bool fit_keys = false;                // give all keys the times at which they are reached
