@@ -161,7 +161,11 @@ class Layout(Task):
         for name, (left, top, right, bottom, *_) in items.items():
             if left < -0.5 or top < -0.5 or right > width + 0.5 or bottom > height + 0.5:
                 fault(f"{name} leaves the window: {left, top, right, bottom}")
-        for text, left, top, right, bottom in state["cut_text"]:
+        cut = state["cut_text"]
+        if cut:  # a tooltip whose text has just changed gets its size in the next frame
+            later = self.editor.state()["cut_text"]
+            cut = [line for line in cut if line in later]
+        for text, left, top, right, bottom in cut:
             rest = text.replace(" ", "")
             for label in DOTTED:
                 rest = rest.replace(label.replace(" ", "") + "\u2026", "")

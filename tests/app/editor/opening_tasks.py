@@ -1,5 +1,6 @@
 """Opening scenes and projects, and the messages about their errors."""
 import json
+import shutil
 import subprocess
 
 from pictures import SCENE as APARTMENT
@@ -29,9 +30,13 @@ class Opening(Task):
     def test_a_scene_opens_whichever_panel_is_shown(self):
         tabs = [item for item in self.start()["items"] if item.startswith("tab.")]
         self.assertGreaterEqual(len(tabs), 6)
-        for tab in tabs:
+        for number, tab in enumerate(tabs):
+            scene = self.folder / f"room_{number}.obj"
+            shutil.copy(self.room, scene)
             self.editor.click(tab)
-            self.editor.drop(self.room)
+            self.editor.drop(scene)
+            self.editor.wait(lambda state: state["title"].startswith(scene.name),
+                             f"the scene to open while {tab} is shown")
             self.assertEqual(self.editor.idle()["plan"]["objects"], 5, tab)
 
     def test_edits_of_missing_objects_are_reported_once(self):
