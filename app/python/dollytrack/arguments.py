@@ -7,7 +7,8 @@ import sys
 import textwrap
 import weakref
 from contextlib import nullcontext
-from typing import Any, Callable, ContextManager, Dict, Iterable, List, NamedTuple, Optional, Tuple, TypeVar, Union
+from typing import (TYPE_CHECKING, Any, Callable, ContextManager, Dict, Iterable, List, Mapping, NamedTuple,
+                    Optional, Tuple, TypeVar, Union)
 
 from . import _core
 from .errors import Usage, failure, in_python
@@ -77,9 +78,23 @@ def parameters(search: str = "") -> Parameters:
 
 #: Sections that affect only images, not the plan: render() and export() accept their parameters.
 PICTURE_SECTIONS = ("imu", "stereo", "picture", "light", "sensor")
+#: Sections that describe the camera and where it may be: judge() accepts their parameters.
+JUDGE_SECTIONS = ("body", "camera", "free_space")
+
+if TYPE_CHECKING:  # the parameters that the methods accept, as type checkers know them
+    from . import _parameter_types as types
+
+    PlanParameters = types.All
+
+    class PictureParameters(types.Imu, types.Stereo, types.Picture, types.Light, types.Sensor,
+                            total=False):
+        pass
+
+    class JudgeParameters(types.Body, types.Camera, types.FreeSpace, total=False):
+        pass
 
 
-def assignments(parameters: Dict[str, Any]) -> List[str]:
+def assignments(parameters: Mapping[str, object]) -> List[str]:
     """The parameters as 'name=value'; the engine checks them."""
     return [f"{name}={_text(name, value)}" for name, value in parameters.items()]
 

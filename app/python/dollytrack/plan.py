@@ -15,6 +15,9 @@ from .arguments import PICTURE_SECTIONS, Path, Progress, Value
 from .errors import Usage, failure
 
 if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .arguments import PictureParameters
     from .scene import Scene
 
 _OFTEN_USED = ("render_mode", "antialias", "light_preset", "time_of_day_h", "sun_strength",
@@ -166,7 +169,7 @@ class Plan:
 
     @arguments.takes_parameters(_OFTEN_USED, sections=PICTURE_SECTIONS)
     def render(self, *images: str, range: str = "::", still: bool = False, gl: str = "auto",
-               progress: Progress = None, **parameters: Value) -> Frames:
+               progress: Progress = None, **parameters: Unpack[PictureParameters]) -> Frames:
         """Renders the frames one by one; nothing is written.
 
         images: "rgb", "depth", "instance", "semantic", "normal_world", "normal_camera", "albedo",
@@ -200,7 +203,7 @@ class Plan:
                flow_distances: Sequence[int] = (1,), folds: int = 0, fold_seed: int = 1,
                rig: Optional[Path] = None, cameras: Union[None, str, Iterable[str]] = None,
                still: bool = False, overwrite: bool = False, resume: bool = False, gl: str = "auto",
-               progress: Progress = None, **parameters: Value) -> Dict[str, Any]:
+               progress: Progress = None, **parameters: Unpack[PictureParameters]) -> Dict[str, Any]:
         """Writes a dataset, byte-identical to that of 'dollytrack export'.
 
         preset: name of a preset, e.g. "nerf", that selects modalities and formats; see

@@ -7,15 +7,21 @@ import shutil
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
-from typing import Any, Dict, Iterable, Iterator, List, NoReturn, Optional, Sequence, Tuple, Union
+from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, NoReturn, Optional, Sequence, Tuple,
+                    Union)
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, arguments, scene_file
-from .arguments import Path, Progress, Value
+from .arguments import Path, Progress
 from .errors import BadInput, Usage, failure
 from .plan import Plan
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .arguments import JudgeParameters, PlanParameters
 
 #: The name of a pinned point of the project, or a camera position (x, y, z) and the point it looks
 #: at (x, y, z), m.
@@ -184,7 +190,7 @@ class Scene:
     def plan(self, *, ignore: Union[None, str, Iterable[str]] = None,
              only: Union[None, str, Iterable[str]] = None, start: End = None, end: End = None,
              time_s: Optional[float] = None, progress: Progress = None,
-             **parameters: Value) -> Plan:
+             **parameters: Unpack[PlanParameters]) -> Plan:
         """Plans a camera trajectory that captures the scene's targets.
 
         ignore, only: classes, or names with * and ?, that are not targets, or the only targets.
@@ -273,10 +279,10 @@ def _metres(unit_m: Optional[float]) -> Optional[float]:
 
 
 @arguments.takes_parameters(("camera_radius_m", "width_px", "height_px", "hfov_deg"),
-                            sections=("body", "camera", "free_space"))
+                            sections=arguments.JUDGE_SECTIONS)
 def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = None,
           paths: Optional[npt.ArrayLike] = None, *, progress: Progress = None,
-          **parameters: Value) -> Dict[str, Any]:
+          **parameters: Unpack[JudgeParameters]) -> Dict[str, Any]:
     """Measures a trajectory of any origin in a scene, from its poses alone.
 
     poses: (N, 4, 4) world_from_camera; camera axes x right, y down, z forward.

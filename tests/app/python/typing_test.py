@@ -9,10 +9,10 @@ import sys
 import tempfile
 import unittest
 
-from module import MODULE, ROOT
+from module import MODULE
 from dollytrack import _core
 
-PACKAGE = ROOT / "app" / "python" / "dollytrack"
+PACKAGE = pathlib.Path(MODULE) / "dollytrack"
 #: Expressions of a caller's script, and their types.
 REVEALED = {
     "plan": "Plan", "plan.metrics": "dict[str, Any]", "plan.render()": "Frames",
@@ -20,6 +20,20 @@ REVEALED = {
     "next(plan.render()).pose": "numpy.ndarray[Any, numpy.dtype[numpy.floating[numpy._typing._64Bit]]]",
     "dt.judge(plan.scene, plan.poses)": "dict[str, Any]", "dt.Dataset('x').void_id": "int",
 }
+#: Lines of a caller's script that are wrong, with the part of the error that tells why.
+WRONG = {
+    "name: str = dt.Dataset('x')[0].index": "int",
+    "plan.export('x', presett='nerf')": "presett",
+    "plan.render(fill=0.5)": "fill",  # affects the plan, not the image
+    "plan.scene.plan(fil=0.5)": "fil",
+    "plan.scene.plan(camera_preset='dron')": "Literal['dron']",
+    "plan.scene.plan(loop='yes')": "loop",
+    "dt.judge(plan.scene, plan.poses, fill=0.5)": "fill",
+}
+#: Lines that are right.
+RIGHT = ("import numpy as np", "plan.scene.plan(fill=np.float32(0.5), max_frames=np.int64(3), loop=True)",
+         "plan.render('rgb', render_mode='traced', exposure_ev=1)", "plan.export('x', preset='nerf')",
+         "dt.judge(plan.scene, plan.poses, camera_radius_m=0.2)")
 if importlib.util.find_spec("torch") is not None:
     REVEALED["dt.Dataset('x').torch()[0]"] = (
         "Tuple[torch._tensor.Tensor, dict[str, torch._tensor.Tensor]]")
@@ -35,11 +49,10 @@ class TypingTest(unittest.TestCase):
             user.write_text("\n".join([
                 "import dollytrack as dt",
                 "plan = dt.load('room.glb').plan(fill=0.6)",
-                "name: str = dt.Dataset('x')[0].index",  # wrong, and must be found
-                *(f"reveal_type({value})" for value in REVEALED)]))
+                *(f"reveal_type({value})" for value in REVEALED), *RIGHT, *WRONG]))
             settings = pathlib.Path(cache) / "mypy.ini"
             # Without PyTorch, its classes are of type Any.
-            settings.write_text("[mypy]\n[mypy-torch.*]\nignore_missing_imports = True\n"
+            settings.write_text("[mypy]\nenable_incomplete_feature = Unpack\n[mypy-torch.*]\nignore_missing_imports = True\n"
                                 "[mypy-dollytrack.torch_dataset]\ndisallow_subclassing_any = False\n")
             done = subprocess.run(["mypy", "--strict", "--config-file", settings, "--cache-dir",
                                    cache, PACKAGE], capture_output=True, text=True)
@@ -47,8 +60,10 @@ class TypingTest(unittest.TestCase):
             done = subprocess.run(["mypy", "--strict", "--config-file", settings, "--cache-dir",
                                    cache, user], text=True, capture_output=True,
                                   env={"MYPYPATH": str(PACKAGE.parent)})
-            self.assertEqual(done.stdout.count(" error: "), 1, done.stdout)
-            self.assertIn("user.py:3", done.stdout)
+            errors = [line for line in done.stdout.splitlines() if " error: " in line]
+            self.assertEqual(len(errors), len(WRONG), done.stdout)
+            for error, (line, reason) in zip(errors, WRONG.items()):
+                self.assertIn(reason, error, line)
             found = re.findall(r'Revealed type is "(.*)"', done.stdout)
             self.assertEqual(len(found), len(REVEALED))
             for (value, wanted), text in zip(REVEALED.items(), found):
