@@ -1,21 +1,29 @@
 #!/usr/bin/env bash
-# In a bare Debian 12: the packages are installed, a first dataset is made of the example scene and
-# verified, and after a purge nothing is left. Usage: package_test.sh FOLDER_OF_PACKAGES
-# Needs root, debootstrap and Debian's packages; skipped (77) where they are missing.
+# Makes the Debian packages. In a bare Debian 12 they are installed, a first dataset is made of the
+# example scene and verified, and after a purge nothing is left. Usage: package_test.sh BUILD_FOLDER
+# Needs root, mounts, debootstrap and Debian's packages; skipped (77) where they are missing.
 set -euo pipefail
-packages=$(realpath "$1")
 skip() { echo "skipped: $*"; exit 77; }
 [ "$(id -u)" = 0 ] || skip "needs root"
 command -v debootstrap >/dev/null || skip "debootstrap is not installed"
-ls "$packages"/*.deb >/dev/null 2>&1 || skip "app/package has not made packages"
+
+root=$(mktemp -d)
+packages=$(mktemp -d)
+trap 'umount -R "$root/proc" "$root/dev" 2>/dev/null || true
+    rm -rf --one-file-system "$root" "$root.log" "$packages"' EXIT
+mkdir "$root/proc" "$root/dev"
+mount -t proc proc "$root/proc" 2>/dev/null && mount --bind /dev "$root/dev" 2>/dev/null ||
+    skip "file systems cannot be mounted here"
+umount "$root/proc" "$root/dev"
+
+echo "== packing"
+cpack --config "$1/CPackConfig.cmake" -B "$packages" >"$root.log" || { cat "$root.log"; exit 1; }
 
 if command -v lintian >/dev/null; then
     echo "== lintian"
     lintian --fail-on error --allow-root "$packages"/*.deb
 fi
 
-root=$(mktemp -d)
-trap 'umount -R "$root/proc" "$root/dev" 2>/dev/null || true; rm -rf --one-file-system "$root"' EXIT
 inside() { chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
     DEBIAN_FRONTEND=noninteractive "$@"; }
 # Where packages come from, as on this machine.
@@ -24,7 +32,6 @@ mirror=$(awk '/^URIs:/ {print $2; exit} /^deb / {for (i = 2; i <= NF; ++i) if ($
 echo "== debootstrap"
 debootstrap --variant=minbase bookworm "$root" ${mirror:+"$mirror"} >"$root.log" 2>&1 ||
     { tail -3 "$root.log"; skip "no Debian archive can be reached"; }
-rm -f "$root.log"
 cp /etc/resolv.conf "$root/etc/" 2>/dev/null || true
 cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
 mount --bind /dev "$root/dev"
