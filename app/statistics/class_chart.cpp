@@ -50,16 +50,19 @@ std::string classChart(std::span<const ClassRow> all, const std::string& title,
     const std::span<const ClassRow> rows = all.first(chartClassesOf(all));
     const std::size_t datasets = rows.empty() ? 0 : rows[0].datasets.size();
     double most = 1.0;
+    bool has_outlines = false;
     for (const ClassRow& row : rows) {
         for (const ClassStatistics* counted : row.datasets) {
             if (counted == nullptr) continue;
             const ClassBar bar = bar_of(*counted);
             most = std::max({most, bar.filled, bar.outlined});
+            has_outlines |= bar.outlined > 0.0;
         }
     }
     const double bar_height = datasets == 1 ? 12.0 : 10.0;
     const double row_height = static_cast<double>(datasets) * (bar_height + 1.0) + 6.0;
-    PlotAxis x{0.0, 1.22 * most, false, {}, label};  // with space for the number behind the bar
+    // With space for the number behind the bar, or for two, as in "322 of 362".
+    PlotAxis x{0.0, (has_outlines ? 1.45 : 1.22) * most, false, {}, label};
     x.ticks = linearTicks(0.0, most, 1.0, 4);
     std::erase_if(x.ticks, [](const PlotTick& tick) { return tick.at != std::round(tick.at); });
     const PlotFrame frame(x, {}, row_height * static_cast<double>(rows.size()), 116.0);

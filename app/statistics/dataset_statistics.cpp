@@ -161,9 +161,11 @@ Result<DatasetStatistics> collectStatistics(const verify::StoredDataset& dataset
     statistics.width_px = dataset.lens.width;
     statistics.height_px = dataset.lens.height;
     statistics.frames = dataset.frames.size();
-    for (const int frame : view::evenlySpaced(samples.shown, dataset.frames.size())) {
-        statistics.examples.push_back({{}, frame, 0, {}, {}});
+    std::vector<int> shown = view::evenlySpaced(samples.shown, dataset.frames.size());
+    if (samples.shown == 1) {
+        shown[0] = static_cast<int>(samples.single_at * static_cast<double>(dataset.frames.size()));
     }
+    for (const int frame : shown) statistics.examples.push_back({{}, frame, 0, {}, {}});
     for (const auto add : {addPoses, addMotion, addBoxes, addVisibility, addUnusable}) {
         if (const Status added = add(dataset, statistics); !added) {
             return tl::unexpected(added.error());

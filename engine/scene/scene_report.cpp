@@ -167,9 +167,11 @@ std::string describeScene(const Scene& scene) {
     text +=
         format("  objects    %zu, of them %d targets\n", scene.objects.size(), countTargets(scene));
     if (scene.class_table) {
-        text +=
-            format("  classes    %zu in the label file; %td objects have none of them\n",
-                   scene.classes().classes().size(), countOf(scene, scene.classes().voidClass()));
+        const std::span<const DatasetClass> classes = scene.classes().classes();
+        const std::ptrdiff_t used = std::ranges::count_if(
+            classes, [&](const DatasetClass& one) { return countOf(scene, one) > 0; });
+        text += format("  classes    %td of the %zu in the label file; %td objects have none\n",
+                       used, classes.size(), countOf(scene, scene.classes().voidClass()));
     }
     text += format("  triangles  %zu\n", scene.triangles.size());
     text += format("  textures   %d found, %zu missing\n", scene.report.textures_found,

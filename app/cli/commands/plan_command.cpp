@@ -242,6 +242,12 @@ Status checkFiles(const PlanArguments& arguments) {
         std::filesystem::path(arguments.picture).extension() != ".png") {
         return fail(ErrorCode::Usage, "The image's name must end in .png.", arguments.picture);
     }
+    if (!arguments.frames.empty() &&
+        std::filesystem::path(arguments.frames).extension() != ".csv") {
+        return fail(ErrorCode::Usage,
+                    "The table's name must end in .csv; --max-frames limits the number of frames.",
+                    "--frames " + arguments.frames);
+    }
     for (const std::string& file : {arguments.out, arguments.picture, arguments.frames}) {
         if (Status status = checkWritable(file); !status) return status;
     }

@@ -90,11 +90,11 @@ Result<DatasetStatistics> collectColumn(const std::string& argument, const Colum
     std::optional<DatasetStatistics> sum;
     for (std::size_t i = 0; i < count; ++i) {
         const auto show = std::ranges::count(shown, static_cast<int>(i));
-        const statistics::FrameSamples samples = {measured,
-                                                  show == 0 ? 0 : examples / shown.size()};
         const auto share = [&](std::size_t done) {
             return static_cast<double>(done) / static_cast<double>(count);
         };
+        const statistics::FrameSamples samples = {measured, show == 0 ? 0 : examples / shown.size(),
+                                                  share(i)};
         auto collected = collect(column[i], samples, job.stage(share(i), share(i + 1), "reading"));
         if (!collected && skip_damaged && collected.error().code == ErrorCode::BadInput) {
             log::warn("statistics", fmt::format("{}: left out: {}", column[i].folder.string(),

@@ -31,11 +31,11 @@ bool takesValue(const CLI::App* app, const std::string& argument) {
     return option != nullptr && option->get_items_expected_max() > 0;
 }
 
+/// Names of more than one letter: any two single letters would be similar.
 std::vector<std::string> optionNames(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
         for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
     }
     return names;
 }

@@ -1,5 +1,7 @@
 #include "app/gather/layouts/layout.h"
 
+#include "engine/core/log.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -47,7 +49,13 @@ class YoloLayout : public Layout {
         const bool has_val = std::ranges::count(parts, PartIndex{1}) > 0;
         for (const PartIndex part : parts) {
             yaml += fmt::format("{}: images/{}\n", kParts[part], kParts[part]);
-            if (part == 0 && !has_val) yaml += fmt::format("val: images/{}\n", kParts[0]);
+            if (part == 0 && !has_val) {
+                yaml += fmt::format("val: images/{}  # the training images: there is no part val\n",
+                                    kParts[0]);
+                log::warn("gather",
+                          "data.yaml has the training images as 'val', because there is no such "
+                          "part; '--split by-room 80/10/10' makes one");
+            }
         }
         yaml += fmt::format("nc: {}\nnames:\n", input_.classes.classes().size());
         int number = 0;

@@ -50,6 +50,11 @@ class Sources(GatherCase):
                      self.new_folder(), "--format", "yolo", "--split", "by-room", "80/20")
         self.assertFails(result, 2, "1 scene cannot be split into 2 parts")
 
+    def test_shares_in_several_arguments_are_refused(self):
+        result = run("-q", "gather", self.datasets, "--out", self.new_folder(), "--format", "yolo",
+                     "--split", "by-room", 80, 20)
+        self.assertFails(result, 2, "as in 80/10/10")
+
     def test_a_dataset_behind_split_none_is_one(self):
         out = self.new_folder()
         done = run("-q", "gather", "--out", out, "--format", "yolo", "--split", "none",

@@ -56,6 +56,7 @@ class Gather(GatherCase):
                           datasets=[self.datasets / "room_0"])
         data = yaml.safe_load((out / "data.yaml").read_text())
         self.assertEqual((data["train"], data["val"]), ("images/train", "images/train"))
+        self.assertIn("# the training images", (out / "data.yaml").read_text())
 
     def test_coco_boxes_and_masks_are_those_of_the_instance_images(self):
         out = self.gather("--format", "coco", "--split", "by-room", "60/20/20")
@@ -124,6 +125,7 @@ class Gather(GatherCase):
                     self.assertNotIn(ending, samples[key])
                     samples[key][ending] = tar.extractfile(member).read()
         self.assertEqual(set(samples), set(frames))
+        self.assertIn("Pixels of `semantic` images have the id", (out / "README.md").read_text())
         for key, sample in samples.items():
             folder, index = frames[key]
             self.assertEqual(set(sample), {"png", "depth.png", "instance.png", "semantic.png", "json"})

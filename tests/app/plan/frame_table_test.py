@@ -128,6 +128,9 @@ class FrameTable(FolderCase):
         nowhere = run("plan", self.folder / "missing.obj", "--frames",
                       self.folder / "nowhere" / "frames.csv")
         self.assertEqual(nowhere.returncode, 6, nowhere.stderr)
+        number = run("plan", self.room, "--frames", 40)
+        self.assertEqual(number.returncode, 2, number.stderr)
+        self.assertIn("--max-frames", number.stderr)
         other = run("plan", self.room, "--planner", "uniform", "--frames", self.table)
         self.assertEqual(other.returncode, 2, other.stderr)
         self.assertIn("--frames", other.stderr)

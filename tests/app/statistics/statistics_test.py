@@ -215,6 +215,16 @@ class Command(StatisticsCase):
         self.assertLess(page.stat().st_size, 2_000_000)
         self.assertEqual(page.read_text().count("class=\"example\""), 8)
 
+    def test_examples_of_many_datasets_are_not_all_their_first_frames(self):
+        folder = self.folder / "many"
+        for name in range(8):
+            self.changed_copy(self.part, f"many/{name}", lambda card: None)
+        page = self.folder / "many.html"
+        self.page_of(folder, "-o", page)
+        shown = re.findall(r"<figcaption>.*?frame (\d+)", page.read_text())
+        self.assertEqual(len(shown), 8)
+        self.assertGreater(len(set(shown)), 3)
+
     def test_names_are_escaped(self):
         page = self.folder / "hostile.html"
         numbers = json.loads(self.page_of(self.hostile, self.part, "-o", page, "--json").stdout)
