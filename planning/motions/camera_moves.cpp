@@ -3,10 +3,12 @@
 #include "engine/core/name_hint.h"
 #include "engine/document/target_filter.h"
 #include "planning/collision/swept_sphere.h"
+#include "planning/free_space/floor_heights.h"
 #include "planning/free_space/free_space.h"
 #include "planning/motions/motion_check.h"
 #include "planning/motions/object_moves.h"
 #include "planning/motions/time_path.h"
+#include "planning/motions/walked_rooms.h"
 #include "planning/rooms/room_plan.h"
 #include "planning/timing/motion_limits.h"
 
@@ -29,6 +31,8 @@ constexpr double kFill = 0.5;         // share of the image's width or height th
 constexpr double kDollyStart = 0.25;  // the same where a dolly starts
 constexpr double kWalkHeight = 1.5;   // above the floor, m
 constexpr double kRoomMiddle = 1.2;   // height above the floor of a room's point to look at, m
+constexpr double kAround = 0.3;       // the floor is looked for this far around an object, m
+constexpr double kAboveRugs = 0.1;    // so that flat objects are above the floor they lie on, m
 constexpr double kRoomShare = 0.35;   // radius of an orbit in a room, as a share of its width
 constexpr double kFull = 0.85;        // largest share of the image that an orbited object takes
 constexpr double kSameRadius = 0.95;  // a smaller share of the wanted radius is reported
@@ -75,31 +79,6 @@ Trajectory trajectoryThrough(const Positions& positions, double time_s) {
         trajectory.frames.push_back(frame);
     }
     return trajectory;
-}
-
-/// The rooms in the order of a walk through their doorways, and back where it branches, as points
-/// at one height, from the largest room on. `end` counts the points up to the last new room.
-void visitRooms(const RoomPlan& plan, std::size_t room, double z, std::vector<char>& visited,
-                Positions& points, std::size_t& end) {
-    const auto atHeight = [&](Vector3d point) {
-        point.z() = z;
-        return point;
-    };
-    visited[room] = 1;
-    const Vector3d middle = atHeight(plan.rooms()[room].box.center());
-    points.push_back(middle);
-    end = points.size();
-    for (const Doorway& door : plan.doorways()) {
-        const auto a = static_cast<std::size_t>(door.room_a);
-        const auto b = static_cast<std::size_t>(door.room_b);
-        if (a != room && b != room) continue;
-        const std::size_t next = a == room ? b : a;
-        if (visited[next]) continue;
-        if (points.back() != middle) points.push_back(middle);
-        points.push_back(atHeight(door.center));
-        visitRooms(plan, next, z, visited, points, end);
-        points.push_back(atHeight(door.center));
-    }
 }
 
 /// Points at most kMoveSpacing apart along the polyline.
@@ -162,11 +141,14 @@ class MoveMaker {
   public:
     MoveMaker(const MappedScene& scene, const PlanParams& params, const MoveRequest& request,
               const JobContext& job)
-        : scene_(scene), request_(request), job_(job) {
+        : scene_(scene),
+          request_(request),
+          job_(job),
+          floors_(*scene.scene, *scene.rays, *scene.free_space, scene.sphere->radius()) {
         timing_.limits = motionLimits(params.timing);
         timing_.frame_interval_s = timing_.smooth_over_s = 1.0 / params.timing.frame_rate;
         timing_.retime_all = true;
-        floor_ = scene.scene->room_bounds.min().z();
+        floor_ = walkedFloor(scene, floors_, kWalkHeight);
     }
 
     Result<CameraMove> make() {
@@ -222,9 +204,11 @@ class MoveMaker {
         }
         if (*target && !center) {
             subject_name_ = "'" + (*target)->name + "'";
+            floor_ = floorAround((*target)->box);
             return ObjectMoves(scene_, **target);
         }
         subject_name_ = center ? "this point" : "the middle of the room";
+        if (center) floor_ = floors_.below(*center);
         const RoomPlan plan(*scene_.scene, *scene_.rays, *scene_.free_space,
                             scene_.sphere->radius());
         const auto room = center ? static_cast<std::size_t>(plan.roomAt(*center)) : 0;
@@ -234,6 +218,18 @@ class MoveMaker {
         Vector3d middle = box.center();
         middle.z() = floor_ + kRoomMiddle;
         return ObjectMoves(scene_, center.value_or(middle), reach);
+    }
+
+    /// The floor that an object stands on or hangs over. Under the object itself it may be hidden.
+    [[nodiscard]] double floorAround(const OrientedBox& object) const {
+        Eigen::AlignedBox3d around;
+        for (Vector3d corner : object.corners()) {
+            corner.z() = object.center.z() + kAboveRugs;
+            around.extend(corner);
+        }
+        const Vector3d margin(kAround, kAround, 0.0);
+        return floors_.below(Eigen::AlignedBox3d(around.min() - margin, around.max() + margin))
+            .highest;
     }
 
     /// A given height above the floor as z in the world.
@@ -325,26 +321,6 @@ class MoveMaker {
         return std::move(best.positions);
     }
 
-    /// The points of a walk at height z: through the doorways of all rooms, or from one end of the
-    /// only room to the other. Empty if cancelled.
-    [[nodiscard]] Positions walkedRooms(double z) const {
-        Positions corners;
-        const RoomPlan plan(*scene_.scene, *scene_.rays, *scene_.free_space,
-                            scene_.sphere->radius());
-        if (plan.rooms().empty()) return {};
-        std::vector<char> visited(plan.rooms().size(), 0);
-        std::size_t end = 0;
-        visitRooms(plan, 0, z, visited, corners, end);
-        corners.resize(end);
-        if (corners.size() < 2) corners = {plan.rooms()[0].near_end, plan.rooms()[0].far_end};
-        for (Vector3d& corner : corners) {
-            if (job_.cancelled()) return {};
-            corner.z() = z;
-            if (!scene_.sphere->fits(corner)) corner = nearestFree(scene_, corner).value_or(corner);
-        }
-        return corners;
-    }
-
     /// First the way, then the viewing directions along it.
     Result<CameraMove> walk(const std::optional<Vector3d>& from,
                             const std::optional<Vector3d>& to) {
@@ -355,7 +331,7 @@ class MoveMaker {
         } else {
             job_.report(0.0);
             if (job_.cancelled()) return cancelled();
-            corners = walkedRooms(z);
+            corners = walkedRooms(scene_, z, job_);
             if (job_.cancelled()) return cancelled();
         }
         if (corners.size() < 2 || (corners.back() - corners.front()).norm() < kMoveSpacing) {
@@ -384,7 +360,7 @@ class MoveMaker {
 
     [[nodiscard]] Result<CameraMove> finished(Result<RepairedMotion> made) const {
         if (!made) return tl::unexpected(std::move(made.error()));
-        return CameraMove{std::move(made->trajectory), timing_.look_at, note_};
+        return CameraMove{std::move(made->trajectory), timing_.look_at, floor_, note_};
     }
 
     [[nodiscard]] static Result<CameraMove> cancelled() {
@@ -394,8 +370,9 @@ class MoveMaker {
     const MappedScene& scene_;
     const MoveRequest& request_;
     const JobContext& job_;
+    FloorHeights floors_;
     PathTiming timing_;
-    double floor_ = 0.0;
+    double floor_ = 0.0;  // heights of settings are above it, z in the world, m
     MoveValues values_;
     std::string subject_name_;  // for messages
     std::string note_;          // how obstacles changed the move

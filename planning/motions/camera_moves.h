@@ -14,7 +14,8 @@ namespace dollytrack::planning {
 struct CameraMove {
     Trajectory trajectory;
     std::optional<Eigen::Vector3d> look_at;  // world, m; nullopt: it looks along its path
-    std::string note;  // a sentence on how obstacles changed the move; empty: not at all
+    double floor_z = 0.0;  // the floor that heights of its settings are above, world, m
+    std::string note;      // a sentence on how obstacles changed the move; empty: not at all
 };
 
 /// Makes the move, free of collisions and within the motion limits: the ideal move where it is

@@ -80,12 +80,10 @@ void MotionWorker::make(const planning::MoveRequest& move, const SharedMotion& a
         auto made = planning::makeMove(*map, shown.params, move, job.stage(0.2, 0.7, "move"));
         if (!made) return tl::unexpected(std::move(made.error()));
         if (!after) {
-            return Outcome{Source::Move,
-                           givenMotion(planning::moveText(move), made->trajectory),
-                           {},
-                           {},
-                           made->note,
-                           made->look_at};
+            return Outcome{Source::Move, givenMotion(planning::moveText(move), made->trajectory),
+                           {},           {},
+                           made->note,   made->look_at,
+                           made->floor_z};
         }
         GivenMotion longer = *after;
         const planning::TimingParams& timing = shown.params.timing;

@@ -31,6 +31,7 @@ class MotionWorker {
         MotionFile file = {};                // that it was read from
         std::string note = {};  // of a move: how obstacles changed it; empty: not at all
         std::optional<Eigen::Vector3d> look_at = {};  // of a move: the point it looks at, m
+        double floor_z = 0.0;  // of a move: the floor that its heights are above, world, m
     };
 
     explicit MotionWorker(std::function<void()> wake) : worker_(std::move(wake)) {}

@@ -27,10 +27,10 @@ void MovePreviewer::follow(const std::optional<planning::MoveRequest>& move,
         serial_ = shown.serial;
         worker_.make(*move, {}, shown);
     }
-    take(shown);
+    take();
 }
 
-void MovePreviewer::take(const PlanOutcome& shown) {
+void MovePreviewer::take() {
     std::optional<Result<MotionWorker::Outcome>> outcome = worker_.take();
     if (!outcome) return;
     error_.reset();
@@ -44,7 +44,7 @@ void MovePreviewer::take(const PlanOutcome& shown) {
         preview.path.push_back(frame.pose.position);
     }
     preview.look_at = (*outcome)->look_at;
-    preview.floor_z = shown.scene->room_bounds.min().z();
+    preview.floor_z = (*outcome)->floor_z;
     preview.has_subject = move_->object_id.has_value() || move_->options.contains("target");
     preview_ = std::move(preview);
     note_ = (*outcome)->note;

@@ -38,7 +38,7 @@ class MovePreviewer {
     [[nodiscard]] const Error* error() const { return error_ ? &*error_ : nullptr; }
 
   private:
-    void take(const PlanOutcome& shown);
+    void take();
 
     MotionWorker worker_;
     std::optional<planning::MoveRequest> move_;  // the last move requested from the worker

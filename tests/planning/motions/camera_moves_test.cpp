@@ -156,6 +156,33 @@ TEST(CameraMoves, WalksAcrossTheOnlyRoom) {
     EXPECT_GT((frames.back().pose.position - frames.front().pose.position).norm(), 3.0);
 }
 
+/// A hall on a floor above a crawl space that the camera fits into, and a gallery over a part of
+/// it.
+TEST(CameraMoves, HeightsAreAboveTheFloorOnWhichOneWalks) {
+    constexpr double kGround = -0.9;
+    test::SceneBuilder builder;
+    builder.room({0, 0, kGround}, {9, 6, 5.2});
+    builder.object("hall floor", {.nyu40 = kNyuFloor, .role = Role::Structure})
+        .box({4.5, 3.0, -0.05}, {8.4, 6.0, 0.1});  // gaps lead below it
+    builder.object("gallery floor", {.nyu40 = kNyuFloor, .role = Role::Structure})
+        .box({1.25, 3.0, 2.55}, {2.5, 6.0, 0.1});
+    builder.object("stool").box({6.0, 3.0, 0.3}, {0.4, 0.4, 0.6});
+    builder.object("vase").box({1.2, 3.0, 2.75}, {0.3, 0.3, 0.3});
+    const MappedScene scene = mapped(builder.build());
+    const auto walk = made(scene, "walk");
+    ASSERT_TRUE(walk) << describe(walk.error());
+    EXPECT_NEAR(walk->floor_z, 0.0, 0.02);
+    for (const TrajectoryFrame& frame : walk->trajectory.frames) {
+        EXPECT_GT(frame.pose.position.z(), 0.5);
+    }
+    const auto orbit = made(scene, "orbit:target=stool,radius=1.2,height=1");
+    ASSERT_TRUE(orbit) << describe(orbit.error());
+    EXPECT_NEAR(orbit->trajectory.frames.front().pose.position.z(), 1.0, 0.02);
+    const auto above = made(scene, "arc:target=vase,radius=0.9,arc=45,height=1");
+    ASSERT_TRUE(above) << describe(above.error());
+    EXPECT_NEAR(above->floor_z, 2.6, 0.02);
+}
+
 TEST(CameraMoves, TheTextOfARequestIsReadBack) {
     MoveRequest request;
     request.kind = "walk";

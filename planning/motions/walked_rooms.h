@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/jobs/job.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace dollytrack::planning {
+
+struct MappedScene;
+class FloorHeights;
+
+/// The height (z in the world, m) of the floor on which one walks: the level over which a camera at
+/// `height_m` fits in most columns of the map. Of two storeys of similar size it is the lower one,
+/// as doorways are known only there. The ground of a crawl space below the floor does not count.
+[[nodiscard]] double walkedFloor(const MappedScene& scene, const FloorHeights& floors,
+                                 double height_m);
+
+/// The corners of a walk at one height z: from the largest room through the doorways of all rooms,
+/// or from one end of the only room to the other. Each is a free position where there is one
+/// nearby. Empty without rooms or if cancelled.
+[[nodiscard]] std::vector<Eigen::Vector3d> walkedRooms(const MappedScene& scene, double z,
+                                                       const JobContext& job);
+
+}  // namespace dollytrack::planning
