@@ -132,7 +132,7 @@ void Editor::refreshScene() {
     }
     const PlanOutcome& shown = workspace_.shown();
     selected_.follow(shown.objects);
-    if (plan_timeline_.follow(shown.scene.get(), shown.plan)) {
+    if (plan_timeline_.follow(shown)) {
         playback_.setFrameCount(frameCount());
         goToRecordedKey();
         if (plan() != nullptr) {

@@ -10,9 +10,12 @@
 #include "planning/timing/clip.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace dollytrack::cli {
@@ -103,16 +106,35 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
                                           : ""));
 }
 
-/// Where collisions begin: "; they begin at frames 3, 40, ..."; empty if that is not known.
-std::string collisionsText(const Plan& plan) {
+/// Where collisions begin, and with which objects: "; they begin at frames 3, 40, ..., with 'sofa',
+/// 'lamp' and 3 more objects"; empty if that is not known.
+std::string collisionsText(const Plan& plan, const planning::Pipeline& pipeline, const Scene& scene,
+                           double camera_radius_m) {
+    constexpr std::size_t kMostNames = 3;
     std::vector<int> begins;
-    for (const auto& collision : planning::collidingFrames(plan)) begins.push_back(collision.first);
-    return begins.empty() ? std::string() : "; they begin at " + frameRanges(begins);
+    std::vector<std::string> names;  // in the order of the frames
+    for (const auto& one : planning::collidingFrames(plan, *pipeline.rays(), camera_radius_m)) {
+        begins.push_back(one.first);
+        if (one.object_id == 0) continue;
+        std::string name = fmt::format("'{}'", scene.object(one.object_id).name);
+        if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+    }
+    if (begins.empty()) return {};
+    const std::size_t shown = std::min(names.size(), kMostNames);
+    std::string text = "; they begin at " + frameRanges(begins);
+    if (shown > 0) {
+        text += fmt::format(", with {}", fmt::join(names.begin(), names.begin() + shown, ", "));
+    }
+    if (names.size() == shown + 1) text += " and another object";
+    if (names.size() > shown + 1)
+        text += fmt::format(" and {} other objects", names.size() - shown);
+    return text;
 }
 
 /// Warns about keys that a given motion cannot keep, about its collisions, and about parameters
 /// that do not apply to it.
-void warnOfMotion(const Plan& plan, const planning::PlanParams& params) {
+void warnOfMotion(const Plan& plan, const planning::Pipeline& pipeline, const Scene& scene,
+                  const planning::PlanParams& params) {
     for (const PassedKey& key : plan.passed_keys) {
         if (!key.note.empty()) log::warn("planning", key.note);
     }
@@ -122,7 +144,9 @@ void warnOfMotion(const Plan& plan, const planning::PlanParams& params) {
     if (moves > 0 || frames > 0.0) {
         log::warn("planning", fmt::format("the given camera motion collides in {:.0f} frames and "
                                           "on the way to the next frame {} times{}",
-                                          frames, moves, collisionsText(plan)));
+                                          frames, moves,
+                                          collisionsText(plan, pipeline, scene,
+                                                         params.camera.camera_radius_m)));
     }
     planning::PlanParams set = params;
     planning::PlanParams used = planning::paramsForMotion(params);
@@ -201,7 +225,7 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
     }
     warnOfFewCorners(**plan);
     if (opened.plan_edits.motion) {
-        warnOfMotion(**plan, opened.params);
+        warnOfMotion(**plan, pipeline, *opened.scene, opened.params);
     } else {
         warnOfAnchors(**plan);
         warnOfFrameRate(**plan, opened.params.timing);

@@ -6,9 +6,9 @@
 
 namespace dollytrack::editor {
 
-bool PlanTimeline::follow(const Scene* scene, std::shared_ptr<const Plan> plan) {
-    if (plan == seen_) return false;
-    seen_ = std::move(plan);
+bool PlanTimeline::follow(const PlanOutcome& shown) {
+    if (shown.plan == seen_) return false;
+    seen_ = shown.plan;
     ++serial_;
     const bool is_measured =
         seen_ != nullptr && seen_->series.size() == seen_->trajectory.frames.size();
@@ -21,11 +21,14 @@ bool PlanTimeline::follow(const Scene* scene, std::shared_ptr<const Plan> plan) 
         }
     }
     collisions_.clear();
-    if (seen_ != nullptr) collisions_ = planning::collidingFrames(*seen_);
+    if (seen_ != nullptr && shown.rays != nullptr) {
+        collisions_ =
+            planning::collidingFrames(*seen_, *shown.rays, shown.params.camera.camera_radius_m);
+    }
     keys_.clear();
     bands_.clear();
-    if (seen_ != nullptr && scene != nullptr) {
-        keys_ = ui::timelineKeys(*scene, *seen_);
+    if (seen_ != nullptr && shown.scene != nullptr) {
+        keys_ = ui::timelineKeys(*shown.scene, *seen_);
         bands_ = ui::timelineBands(*seen_);
     }
     return true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/project/live_planner.h"
 #include "engine/plan/frame_quality.h"
 #include "engine/plan/plan.h"
 #include "engine/scene/scene.h"
@@ -17,7 +18,7 @@ namespace dollytrack::editor {
 class PlanTimeline {
   public:
     /// Updates the data; returns whether the plan (null: none) differs from the last call.
-    bool follow(const Scene* scene, std::shared_ptr<const Plan> plan);
+    bool follow(const PlanOutcome& shown);
     /// Metrics of the newest measured plan; null if no plan was measured.
     [[nodiscard]] const FrameSeries* measured() const {
         return measured_ ? &measured_->series : nullptr;

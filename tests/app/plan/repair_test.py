@@ -210,6 +210,7 @@ class Repair(FolderCase):
         self.assertEqual(len(motion["frames"]), 61)
         done = run("plan", project, "--json")
         self.assertIn("collides in", done.stderr)
+        self.assertRegex(done.stderr, "begin at frames? [0-9]+.*, with 'table")
         self.assertGreater(json.loads(done.stdout)["frame_collision_rate"], 0.1)
 
     def test_a_move_is_made_named_and_free(self):

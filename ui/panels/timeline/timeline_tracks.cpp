@@ -182,6 +182,19 @@ std::string namesOf(const TimelineView& view, const std::vector<int>& ids) {
     return text;
 }
 
+/// The collision at a frame; null: none.
+const planning::CollidingFrames* collisionAt(const TimelineView& view, int frame) {
+    if (view.collisions == nullptr) return nullptr;
+    const auto found = std::ranges::find_if(
+        *view.collisions, [&](const auto& one) { return one.first <= frame && frame <= one.last; });
+    return found == view.collisions->end() ? nullptr : &*found;
+}
+
+std::string collisionText(const TimelineView& view, const planning::CollidingFrames& collision) {
+    if (collision.object_id == 0 || !view.object_name) return "Collides";
+    return "Collides with " + view.object_name(collision.object_id);
+}
+
 void drawTooltip(const TimelineView& view, const TimelineState& state, int frame,
                  const TimelineKey* key) {
     ImGui::BeginTooltip();
@@ -196,6 +209,9 @@ void drawTooltip(const TimelineView& view, const TimelineState& state, int frame
                 ImGui::TextColored(palette().text_dim, "%s", band.name.c_str());
             }
         }
+    }
+    if (const planning::CollidingFrames* collision = collisionAt(view, frame)) {
+        ImGui::TextColored(palette().bad, "%s", collisionText(view, *collision).c_str());
     }
     if (hasSeries(view)) {
         for (std::size_t i = 0; i < kTimelineStrips; ++i) {
