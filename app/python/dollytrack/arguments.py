@@ -1,4 +1,6 @@
 """Converts callers' arguments for the engine: parameters, paths, lists, progress."""
+import difflib
+import functools
 import inspect
 import logging
 import operator
@@ -6,17 +8,19 @@ import os
 import sys
 import textwrap
 import weakref
-from contextlib import nullcontext
-from typing import (TYPE_CHECKING, Any, Callable, ContextManager, Dict, Iterable, List, Mapping, NamedTuple,
-                    Optional, Tuple, TypeVar, Union)
+from contextlib import contextmanager, nullcontext
+from typing import (TYPE_CHECKING, Any, Callable, ContextManager, Dict, Iterable, Iterator, List,
+                    Literal, Mapping, NamedTuple, Optional, Sequence, Tuple, TypeVar, Union)
 
 from . import _core
-from .errors import Usage, failure, in_python
+from .errors import Error, Usage, failure, in_python
 
 Path = Union[str, "os.PathLike[str]"]
 Value = Union[bool, int, float, str]
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 Progress = Union[None, bool, Callable[[float, str], object]]
+#: OpenGL backends.
+OpenGl = Literal["auto", "egl", "osmesa"]
 
 
 class Parameter(NamedTuple):
@@ -136,20 +140,65 @@ class _ShortSignature(inspect.Signature):
         return text
 
 
-def takes_parameters(often_used: Iterable[str], sections: Optional[Iterable[str]] = None
+#: Names that other programs use for parameters.
+_SYNONYMS = {"fps": "frame_rate", "fov": "hfov_deg"}
+
+
+def nearest(name: str, known: Iterable[str], synonyms: Mapping[str, str] = _SYNONYMS) -> str:
+    """The known name that a wrong one probably means; empty if none is near."""
+    listed = list(known)
+    meant = synonyms.get(name.lower(), "")
+    close = [meant] if meant in listed else difflib.get_close_matches(name.lower(), listed, 1)
+    return close[0] if close else ""
+
+
+def _unknown(name: str, method: str, fixed: Sequence[inspect.Parameter], chosen: Iterable[str],
+             others: str) -> Error:
+    """The error for a keyword that a method does not take; others: about other parameters."""
+    if name in PARAMETERS:
+        return failure(Usage, others, name)
+    if any(p.name == name and p.kind is p.VAR_POSITIONAL for p in fixed):
+        return failure(Usage, f"Pass the values without a name: {method}('...', '...').", name)
+    known = [p.name for p in fixed if p.kind is not p.VAR_POSITIONAL and p.name != "self"]
+    meant = nearest(name, [*known, *chosen])
+    hint = f"; did you mean '{meant}'?"
+    if not meant:
+        elsewhere = nearest(name, PARAMETERS)
+        hint = (f"; did you mean '{elsewhere}'? {others}" if elsewhere
+                else "; dollytrack.parameters() lists all.")
+    return failure(Usage, f"There is no parameter '{name}'{hint}")
+
+
+def takes_parameters(often_used: Iterable[str], sections: Optional[Sequence[str]] = None,
+                     others: str = "", instead: Mapping[str, str] = {}
                      ) -> Callable[[_Function], _Function]:
     """Decorator: adds the parameters to the signature of a method with **parameters, and those that
-    are often used to its documentation. None: the parameters of all sections."""
+    are often used to its documentation. The method then raises Usage for all other keywords.
 
-    def describe(function: Any) -> Any:
+    sections: those whose parameters the method takes; None: all.
+    others: the message for parameters of other sections; instead: messages for single names.
+    """
+
+    def describe(wrapped: Any) -> Any:
+        @functools.wraps(wrapped)
+        def function(*given: Any, **named: Any) -> Any:
+            for name in named:
+                if name not in accepted:
+                    if name in instead:
+                        raise failure(Usage, instead[name], name)
+                    raise _unknown(name, wrapped.__name__, fixed, [p.name for p in chosen], others)
+            return wrapped(*given, **named)
+
         chosen = [p for p in PARAMETERS.values() if sections is None or p.section in sections]
-        signature = inspect.signature(function)
+        signature = inspect.signature(wrapped)
         fixed = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
-        named = [inspect.Parameter(p.name, inspect.Parameter.KEYWORD_ONLY, default=p.default,
+        accepted = {p.name for p in fixed if p.kind is not p.VAR_POSITIONAL}
+        accepted |= {p.name for p in chosen}
+        added = [inspect.Parameter(p.name, inspect.Parameter.KEYWORD_ONLY, default=p.default,
                                    annotation=p.type) for p in chosen]
-        function.__signature__ = _ShortSignature([*fixed, *named],
-                                                 return_annotation=signature.return_annotation)
-        lines = [inspect.cleandoc(function.__doc__ or ""), "", "Often used parameters:"]
+        function.__signature__ = _ShortSignature(  # type: ignore[attr-defined]
+            [*fixed, *added], return_annotation=signature.return_annotation)
+        lines = [inspect.cleandoc(wrapped.__doc__ or ""), "", "Often used parameters:"]
         for name in often_used:
             lines.extend(_described(PARAMETERS[name], ""))
         of_sections = "" if sections is None else f" of the sections {', '.join(sections)}"
@@ -178,11 +227,32 @@ def words(value: Union[None, str, Iterable[str]], what: str) -> List[str]:
     """A list of str; a single str becomes a list of one."""
     if value is None:
         return []
+    if not isinstance(value, str) and not hasattr(value, "__iter__"):
+        raise failure(Usage, f"Give a str or a list of str, not {type(value).__name__}.", what)
     listed = [value] if isinstance(value, str) else list(value)
     for one in listed:
         if not isinstance(one, str):
             raise failure(Usage, f"The values must be str, not {type(one).__name__}.", what)
     return listed
+
+
+def names(value: Union[None, str, Iterable[str]], what: str) -> List[str]:
+    """The same for names without commas. An empty list is refused, because the engine would take the
+    default."""
+    listed = words(value, what)
+    if value is not None and not listed:
+        raise failure(Usage, "The list is empty; give at least one name, or None for the default.",
+                      what)
+    for one in listed:
+        if "," in one:
+            raise failure(Usage, f"{one!r} has several names; give them as a list, {parts(one)}.",
+                          what)
+    return listed
+
+
+def parts(text: str) -> List[str]:
+    """The names in a text that separates them by commas."""
+    return [one.strip() for one in text.split(",") if one.strip()]
 
 
 def whole(value: Any, what: str, least: int = 0, most: int = 2**31 - 1) -> int:
@@ -214,8 +284,32 @@ def finish(report: Optional[Callable[[float, str], object]]) -> None:
         report(1.0, "done")
 
 
+_intercepting: List[Callable[[str], bool]] = []
+
+
+@contextmanager
+def intercepted(messages: Iterable[str]) -> Iterator[List[str]]:
+    """Collects the engine's records that are one of the messages, up to their last semicolon, instead
+    of passing them to Python's logger."""
+    wanted, collected = frozenset(messages), []
+
+    def takes(message: str) -> bool:
+        found = message.rpartition(";")[0] in wanted
+        if found:
+            collected.append(message)
+        return found
+
+    _intercepting.append(takes)
+    try:
+        yield collected
+    finally:
+        _intercepting.remove(takes)
+
+
 def log(subsystem: str, level: int, message: str, count: str) -> None:
     """Passes a record of the engine to Python's logger; called by the module _core."""
+    if any(takes(message) for takes in _intercepting):
+        return
     with _Bar.aside():
         logging.getLogger(f"dollytrack.{subsystem}").log(level, "%s%s", in_python(message), count)
 

@@ -5,8 +5,8 @@ import json
 import operator
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import (TYPE_CHECKING, Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple,
-                    TypeVar, Union, overload)
+from typing import (TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Literal, NamedTuple, Optional,
+                    Tuple, TypeVar, Union, get_args, overload)
 
 import numpy as np
 import numpy.typing as npt
@@ -29,6 +29,9 @@ else:
     _Images = Mapping
 
 _Result = TypeVar("_Result")
+
+#: Formats of boxes in targets; Dataset.torch() describes them.
+BoxFormat = Literal["coco", "xyxy", "yolo"]
 
 #: The modalities that can be read, with the scale of their pixel values; None: values as stored.
 _READ: Dict[str, Optional[float]] = {
@@ -169,8 +172,11 @@ def _why_no_dataset(folder: Path) -> str:
     within = sorted([*folder.glob("*/dataset.json"), *folder.glob("*/dataset/dataset.json")])
     if within:
         return f"The folder contains datasets; give one of them, such as {within[0].parent}."
-    return ("The folder has no dataset.json: it is not a dataset, or its export did not finish; "
-            "'dollytrack export --resume' finishes it.")
+    if any(folder.glob(".dollytrack*")):  # the journal of an export
+        return ("The folder has no dataset.json: its export did not finish. Call export() again with "
+                "the same arguments and resume=True.")
+    return ("The folder has no dataset.json, so it is not a dataset; give a folder that export() "
+            "wrote.")
 
 
 class Dataset(_Samples):
@@ -257,7 +263,8 @@ class Dataset(_Samples):
         if "boxes" not in self._cache:
             file = self.folder / "annotations.json"
             if not file.exists():
-                raise failure(BadInput, "The file is missing; export with the format coco.", str(file))
+                raise failure(BadInput, "The file is missing; add 'coco' to the formats of export().",
+                              str(file))
             try:
                 self._cache["boxes"] = _Boxes(file, len(self._card["frames"]))
             except (KeyError, TypeError, ValueError, OverflowError) as error:
@@ -286,8 +293,8 @@ class Dataset(_Samples):
         """
         count = len(self._card["frames"])
         if "tracks" not in self._card["modalities"]:
-            raise failure(Usage, "The dataset has no tracks; export it with --modalities tracks.",
-                          str(self.folder))
+            raise failure(Usage, "The dataset has no tracks; add 'tracks' to the modalities of "
+                          "export().", str(self.folder))
         if not isinstance(frame, (int, np.integer)) or not 0 <= frame < count:
             raise failure(Usage, f"There is no such frame; give a number from 0 to {count - 1}.",
                           repr(frame))
@@ -350,16 +357,16 @@ class Dataset(_Samples):
         return part
 
     @overload
-    def torch(self, boxes: Optional[str] = "coco", images: Union[str, Sequence[str]] = (),
+    def torch(self, boxes: Optional[BoxFormat] = "coco", images: Union[str, Sequence[str]] = (),
               pad: Union[bool, int] = True, transform: None = None) -> "TorchDataset[Pair]": ...
 
     @overload
-    def torch(self, boxes: Optional[str] = "coco", images: Union[str, Sequence[str]] = (),
+    def torch(self, boxes: Optional[BoxFormat] = "coco", images: Union[str, Sequence[str]] = (),
               pad: Union[bool, int] = True, *,
               transform: Callable[[Tensor, Dict[str, Tensor]], _Result]
               ) -> "TorchDataset[_Result]": ...
 
-    def torch(self, boxes: Optional[str] = "coco", images: Union[str, Sequence[str]] = (),
+    def torch(self, boxes: Optional[BoxFormat] = "coco", images: Union[str, Sequence[str]] = (),
               pad: Union[bool, int] = True, transform: Optional[Callable[..., Any]] = None) -> Any:
         """The dataset for torch.utils.data.DataLoader: pairs of an image and a target. Needs PyTorch.
 
@@ -378,10 +385,34 @@ class Dataset(_Samples):
             whose batches are then the images as one (B, 3, H, W) tensor and a list of B targets.
         transform: called with image and target; its result is returned instead of the pair.
 
-        Raises Usage if a frame has more boxes than `pad`.
+        Raises Usage if a frame has more boxes than `pad`, ModuleNotFoundError without PyTorch.
         """
-        from .torch_dataset import TorchDataset
-        return TorchDataset(self, boxes, images, pad, transform)
+        forms = get_args(BoxFormat)
+        if boxes is not None and boxes not in forms:
+            raise failure(Usage, f"{boxes!r} is not a box format; give {', '.join(forms)} or None.",
+                          "boxes")
+        if transform is not None and not callable(transform):
+            raise failure(Usage, "Give a function of image and target, not "
+                                 f"{type(transform).__name__}.", "transform")
+        further = [images] if isinstance(images, str) else list(images)
+        for name in ("rgb", *further):
+            if name not in self.modalities:
+                raise failure(Usage, f"{name!r} is not in the dataset; it has "
+                                     f"{', '.join(self.modalities)}.", "images")
+        rows = 0  # the least number of rows of boxes and labels
+        # The boxes are read here, so that the processes of a loader share them.
+        if boxes is not None and pad is not False:
+            counts = np.diff(self._boxes().starts)[self._indices]
+            rows = _rows_of(pad, int(counts.max(initial=0)), self)
+        try:
+            from .torch_dataset import TorchDataset
+        except ModuleNotFoundError as error:
+            if error.name != "torch":
+                raise
+            raise ModuleNotFoundError(
+                "Dataset.torch() needs PyTorch: install Debian's package python3-torch, or torch "
+                "with pip.", name="torch") from None
+        return TorchDataset(self, boxes, further, rows, transform)
 
     @overload
     def __getitem__(self, index: int) -> Sample: ...
@@ -418,6 +449,21 @@ class Dataset(_Samples):
 
     def __repr__(self) -> str:
         return f"<Dataset {str(self.folder)!r}: {len(self)} frames of {', '.join(self.modalities)}>"
+
+
+def _rows_of(pad: Union[bool, int], most: int, dataset: Dataset) -> int:
+    """The number of rows that all frames get. Raises Usage if a frame has more boxes."""
+    if isinstance(pad, (bool, np.bool_)):
+        return most if pad else 0
+    try:
+        rows = operator.index(pad)
+    except TypeError:
+        raise failure(Usage, f"Give True, False or a whole number, not {type(pad).__name__}.",
+                      "pad") from None
+    if rows < most or rows < 1:
+        raise failure(Usage, f"A frame of {dataset.folder} has {most} boxes; {rows} is too small.",
+                      "pad")
+    return rows
 
 
 def _read_json(file: Path) -> Any:

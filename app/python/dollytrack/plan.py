@@ -4,14 +4,15 @@ from __future__ import annotations
 import csv
 import io
 import json
-from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, NoReturn, Optional,
-                    Sequence, Union)
+import operator
+from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Literal, Mapping, NoReturn,
+                    Optional, Sequence, Union, get_args)
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, arguments
-from .arguments import PICTURE_SECTIONS, Path, Progress, Value
+from .arguments import PICTURE_SECTIONS, OpenGl, Path, Progress, Value
 from .errors import Usage, failure
 
 if TYPE_CHECKING:
@@ -22,6 +23,17 @@ if TYPE_CHECKING:
 
 _OFTEN_USED = ("render_mode", "antialias", "light_preset", "time_of_day_h", "sun_strength",
                "exposure_ev", "light_variation", "sensor_preset")
+_OF_PLAN = ("The parameter belongs to the plan; pass it to Scene.plan(). Only those of "
+            f"{', '.join(PICTURE_SECTIONS)} can be changed here.")
+
+#: The images that Plan.render() makes.
+ImageName = Literal["rgb", "depth", "instance", "semantic", "normal_world", "normal_camera",
+                    "albedo", "rgb_right", "depth_right", "hdr", "diffuse_reflectance",
+                    "diffuse_illumination", "direct_illumination", "indirect_illumination",
+                    "residual"]
+#: Names that other programs use for images.
+_SYNONYMS = {"color": "rgb", "colour": "rgb", "image": "rgb", "normals": "normal_world",
+             "segmentation": "semantic", "mask": "instance"}
 
 
 class Frame(Mapping[str, npt.NDArray[Any]]):
@@ -167,9 +179,10 @@ class Plan:
         return {kind: {name: np.array([float(row[name]) for row in rows if row["budget"] == kind])
                        for name in names} for kind in ("frames", "length")}
 
-    @arguments.takes_parameters(_OFTEN_USED, sections=PICTURE_SECTIONS)
-    def render(self, *images: str, range: str = "::", still: bool = False, gl: str = "auto",
-               progress: Progress = None, **parameters: Unpack[PictureParameters]) -> Frames:
+    @arguments.takes_parameters(_OFTEN_USED, sections=PICTURE_SECTIONS, others=_OF_PLAN)
+    def render(self, *images: ImageName, range: str = "::", still: bool = False,
+               gl: OpenGl = "auto", progress: Progress = None,
+               **parameters: Unpack[PictureParameters]) -> Frames:
         """Renders the frames one by one; nothing is written.
 
         images: "rgb", "depth", "instance", "semantic", "normal_world", "normal_camera", "albedo",
@@ -183,10 +196,10 @@ class Plan:
 
         Raises NoOpenGl if there is no OpenGL driver that can render.
         """
-        named = arguments.words(images, "images") or ["rgb", "depth", "instance", "semantic"]
         return Frames(self._core.render(
-            modalities=named, range=_text(range, "range"), still=bool(still), gl=_text(gl, "gl"),
-            assignments=arguments.assignments(parameters), progress=arguments.reporter(progress)))
+            modalities=_images(images), range=_text(range, "range"), still=bool(still),
+            gl=_text(gl, "gl"), assignments=arguments.assignments(parameters),
+            progress=arguments.reporter(progress)))
 
     def save(self, file: Path) -> None:
         """Writes a .dolly project, which the command line, the editor and load() open. A scene of
@@ -196,22 +209,23 @@ class Plan:
                                  "pass a file to from_arrays().", str(file))
         self._core.save(file=arguments.path(file, "file"))
 
-    @arguments.takes_parameters(_OFTEN_USED, sections=PICTURE_SECTIONS)
+    @arguments.takes_parameters(_OFTEN_USED, sections=PICTURE_SECTIONS, others=_OF_PLAN)
     def export(self, folder: Path, *, preset: Optional[str] = None,
                modalities: Union[None, str, Iterable[str]] = None,
                formats: Union[None, str, Iterable[str]] = None, range: str = "::",
-               flow_distances: Sequence[int] = (1,), folds: int = 0, fold_seed: int = 1,
+               flow_distances: Union[int, Sequence[int]] = (1,), folds: int = 0, fold_seed: int = 1,
                rig: Optional[Path] = None, cameras: Union[None, str, Iterable[str]] = None,
-               still: bool = False, overwrite: bool = False, resume: bool = False, gl: str = "auto",
-               progress: Progress = None, **parameters: Unpack[PictureParameters]) -> Dict[str, Any]:
+               still: bool = False, overwrite: bool = False, resume: bool = False,
+               gl: OpenGl = "auto", progress: Progress = None,
+               **parameters: Unpack[PictureParameters]) -> Dict[str, Any]:
         """Writes a dataset, byte-identical to that of 'dollytrack export'.
 
         preset: name of a preset, e.g. "nerf", that selects modalities and formats; see
             'dollytrack export --list'.
-        modalities, formats: names of 'dollytrack export --list', or "all"; None: those of the
-            preset, or the default ones.
+        modalities, formats: names of 'dollytrack export --list', or "all", as a list; None: those
+            of the preset, or the default ones.
         range: "a:b:s", frames a to b (b not included), every s-th.
-        flow_distances: distances of optical flow, in frames later and earlier.
+        flow_distances: one or several distances of optical flow, in frames later and earlier.
         folds, fold_seed: number of cross-validation folds, and the random seed of the split.
         rig, cameras: a rig file of additional cameras, and single cameras as text, "left:yaw_deg=90".
         still: objects with a track stay at their planned poses.
@@ -226,9 +240,9 @@ class Plan:
         text = self._core.export(
             folder=arguments.path(folder, "folder"),
             preset="" if preset is None else _text(preset, "preset"),
-            modalities=arguments.words(modalities, "modalities"),
-            formats=arguments.words(formats, "formats"), range=_text(range, "range"),
-            flow_distances=[arguments.whole(one, "flow_distances") for one in flow_distances],
+            modalities=arguments.names(modalities, "modalities"),
+            formats=arguments.names(formats, "formats"), range=_text(range, "range"),
+            flow_distances=_distances(flow_distances),
             folds=arguments.whole(folds, "folds", 0, 100),
             fold_seed=arguments.whole(fold_seed, "fold_seed", 0, 2**64 - 1),
             rig=b"" if rig is None else arguments.path(rig, "rig"),
@@ -250,6 +264,38 @@ class Plan:
         metrics = self.metrics
         return (f"<Plan of {self.scene.name!r}: {len(self)} frames, {metrics.get('captured')} of "
                 f"{metrics.get('objects')} targets captured>")
+
+
+def _images(images: Sequence[Any]) -> List[str]:
+    """The names of images; the default ones if there are none."""
+    known = get_args(ImageName)
+    for one in images:
+        if not isinstance(one, str):
+            raise failure(Usage, "Pass each name as an argument of its own, as in render('rgb', "
+                                 f"'depth'), not a {type(one).__name__}.", "images")
+        if one in known:
+            continue
+        if "," in one:
+            separate = ", ".join(map(repr, arguments.parts(one)))
+            raise failure(Usage, f"{one!r} has several names; pass each as an argument of its own: "
+                                 f"render({separate}).", "images")
+        meant = arguments.nearest(one, known, _SYNONYMS)
+        if one in _core.modalities():
+            hint = f"render() does not have '{one}'; export() writes it. It has"
+        elif meant:
+            hint = f"There is no image '{one}'; did you mean '{meant}'? There are"
+        else:
+            hint = f"There is no image '{one}'; there are"
+        raise failure(Usage, f"{hint} {', '.join(known)}.", "images")
+    return list(images) or ["rgb", "depth", "instance", "semantic"]
+
+
+def _distances(value: Any) -> List[int]:
+    try:
+        listed: Iterable[Any] = [operator.index(value)]
+    except TypeError:
+        listed = value if isinstance(value, Iterable) else [value]
+    return [arguments.whole(one, "flow_distances") for one in listed]
 
 
 def _text(value: Any, what: str) -> str:

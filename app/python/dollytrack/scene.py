@@ -3,12 +3,13 @@ from __future__ import annotations
 
 import atexit
 import json
+import logging
 import shutil
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
-from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, NoReturn, Optional, Sequence, Tuple,
-                    Union)
+from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Literal, NoReturn, Optional,
+                    Sequence, Tuple, Union, get_args)
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
 
     from .arguments import JudgeParameters, PlanParameters
 
+UpAxis = Literal["x", "y", "z", "-x", "-y", "-z"]
+_MOST_POSES = 1_000_000
 #: The name of a pinned point of the project, or a camera position (x, y, z) and the point it looks
 #: at (x, y, z), m.
 End = Union[None, str, Tuple[Sequence[float], Sequence[float]]]
@@ -81,10 +84,12 @@ class Scene:
         vertices: (N, 3) metres, z up.
         faces: (F, 3) vertex indices, counter-clockwise seen from outside.
         object_ids: (F,) object of each triangle, 0 .. K-1; None: connected pieces become objects.
-        names: K object names.
-        classes: K class words (NYU40 names or common words for them); None: found by the object's name.
+        names: K object names. Names, classes and structure need object_ids.
+        classes: K class words (NYU40 names or common words for them); None, also for single objects:
+            found by the object's name.
         structure: (K,) booleans: whether the object is part of the building, not a target; None: objects
-            whose name means wall, floor, ceiling, door, window, roof, ground or sky.
+            whose class word (their name, if they have none) means wall, floor, ceiling, door, window,
+            roof, ground or sky. An object named floor with another class word is a target.
         colors: (F, 3) or (K, 3), uint8 sRGB, or floats 0 .. 1.
         file: a new .glb file for the scene, so that projects can refer to it; names and classes are
             written to FILE.glb.objects.json beside it. None: a temporary file, removed when Python
@@ -97,10 +102,15 @@ class Scene:
             file = folder / "scene.glb"
         elif FilePath(arguments.path(file, "file").decode("utf-8", "replace")).suffix != ".glb":
             raise failure(Usage, "The file's name must end in .glb.", str(file))
-        scene_file.write(FilePath(file), vertices, faces, object_ids, names, classes, structure,
-                         colors)
-        scene = load(file, unit_m=1.0, up_axis="y", progress=progress)
+        words = scene_file.write(FilePath(file), vertices, faces, object_ids, names, classes,
+                                 structure, colors)
+        # The engine warns of each object whose class is unknown, in words for files.
+        with arguments.intercepted(f'annotations: "{word}", the class of "{name}", is unknown'
+                                   for name, word in words.items()) as warnings:
+            scene = load(file, unit_m=1.0, up_axis="y", progress=progress)
         scene._temporary = folder is not None
+        if warnings:
+            _warn_of_classes(scene, words)
         return scene
 
     _temporary = False
@@ -221,6 +231,18 @@ class Scene:
         return f"<Scene {self.name!r}: {len(self)} objects, {targets} of them targets>"
 
 
+def _warn_of_classes(scene: Scene, words: Dict[str, str]) -> None:
+    """Warns once of all objects whose words mean no class."""
+    lost = [words[o.name] for o in scene.objects if o.class_id == scene.void_id and o.name in words]
+    different = list(dict.fromkeys(lost))
+    listed = ", ".join(f'"{word}"' for word in different[:5])
+    if len(different) > 5:
+        listed += f" and {len(different) - 5} more"
+    logging.getLogger("dollytrack.import").warning(
+        "classes: no class is known for %s (%d of %d objects); give classes of Scene.classes, or "
+        "pass file, and load it with labels", listed, len(lost), len(scene))
+
+
 def _end_text(end: End, what: str) -> str:
     if end is None or isinstance(end, str):
         return end or ""
@@ -235,7 +257,7 @@ def _end_text(end: End, what: str) -> str:
     return ",".join(map(repr, numbers))
 
 
-def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] = None,
+def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[UpAxis] = None,
          labels: Optional[Path] = None, models: Union[None, Path, Iterable[Path]] = None,
          annotations: Optional[Path] = None, keep_meshes: bool = False, convert: bool = False,
          cloud: Optional[Dict[str, float]] = None, progress: Progress = None) -> Scene:
@@ -254,7 +276,7 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
     The file is read in a sandboxed process, so malicious files can do no harm. Notes and warnings go
     to the logger "dollytrack.import". Raises BadInput if the file cannot be used.
     """
-    if up_axis is not None and up_axis not in ("x", "y", "z", "-x", "-y", "-z"):
+    if up_axis is not None and up_axis not in get_args(UpAxis):
         raise failure(Usage, f"{up_axis!r} is not an upward axis: give x, y, z, -x, -y or -z.", "up_axis")
     if isinstance(models, (str, bytes)) or hasattr(models, "__fspath__"):
         models = [models]  # type: ignore[list-item]
@@ -269,17 +291,27 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
 
 
 def _metres(unit_m: Optional[float]) -> Optional[float]:
+    if unit_m is None:
+        return None
     try:
         if isinstance(unit_m, str):
             raise TypeError
-        return None if unit_m is None else float(unit_m)
-    except (TypeError, ValueError):
+        metres = float(unit_m)
+    except (TypeError, ValueError, OverflowError):
         raise failure(Usage, f"{unit_m!r} is not a number: give metres per unit, such as 0.01 for cm or "
                              "0.0254 for inches.", "unit_m") from None
+    if not 1e-9 <= metres <= 1e9:
+        raise failure(Usage, f"{metres:g} is not in the range 1e-09 .. 1e+09: give metres per unit, "
+                             "such as 0.01 for cm or 0.0254 for inches.", "unit_m")
+    return metres
 
 
 @arguments.takes_parameters(("camera_radius_m", "width_px", "height_px", "hfov_deg"),
-                            sections=arguments.JUDGE_SECTIONS)
+                            sections=arguments.JUDGE_SECTIONS,
+                            others="judge() does not use the parameter; it takes those of "
+                                   f"{', '.join(arguments.JUDGE_SECTIONS)}.",
+                            instead={name: "judge() does not use it; the argument times sets the "
+                                           "times of the frames." for name in ("frame_rate", "fps")})
 def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = None,
           paths: Optional[npt.ArrayLike] = None, *, progress: Progress = None,
           **parameters: Unpack[JudgeParameters]) -> Dict[str, Any]:
@@ -287,7 +319,7 @@ def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = N
 
     poses: (N, 4, 4) world_from_camera; camera axes x right, y down, z forward.
     times: (N,) increasing seconds; None: ten frames per second.
-    paths: (N,) whole numbers; there is no motion between frames of different numbers. None: one path.
+    paths: (N,) integers; there is no motion between frames of different numbers. None: one path.
 
     The result has the metrics of 'dollytrack compare' (rates 0 .. 1; None if not applicable), and as
     "ledger" a list with a dictionary per target: object, id, captured, well_captured, and the frame
@@ -301,8 +333,10 @@ def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = N
         seconds = np.arange(count) * 0.1
     else:
         seconds = _numbers(times, np.float64, (count,), "times")
-        if (np.diff(seconds) <= 0).any():
-            raise failure(Usage, "Each time must be later than the previous one.", "times")
+        early = np.diff(seconds) <= 0
+        if early.any():
+            raise failure(Usage, "Each time must be later than the previous one.",
+                          f"times[{int(np.argmax(early)) + 1}]")
     numbers = np.zeros(count, np.int32)
     if paths is not None:
         numbers = _numbers(paths, np.int32, (count,), "paths")
@@ -313,34 +347,28 @@ def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = N
     return metrics
 
 
-def _numbers(values: npt.ArrayLike, dtype: Any, shape: Tuple[int, ...], what: str) -> Any:
-    try:
-        array = np.asarray(values)
-        if array.dtype.kind not in "iuf":
-            raise TypeError
-        converted = np.ascontiguousarray(array, dtype)
-    except (TypeError, ValueError):
-        raise failure(Usage, "Give an array of numbers.", what) from None
-    if array.shape != shape:
-        raise failure(Usage, f"The shape is {array.shape}; it must be {shape}.", what)
-    if not np.isfinite(array).all() or (array.dtype.kind != "f" and (converted != array).any()):
-        raise failure(Usage, "A number is not finite, or too large.", what)
-    return converted
+def _numbers(values: npt.ArrayLike, dtype: Any, shape: Tuple[Optional[int], ...], what: str) -> Any:
+    array = scene_file.array_of(values, what, "iuf", shape, _MOST_POSES)
+    scene_file.check_finite(array, what)
+    if np.issubdtype(dtype, np.integer):
+        limits = np.iinfo(dtype)
+        bad = (array < limits.min) | (array > limits.max) | (np.floor(array) != array)
+        if bad.any():
+            row = scene_file.first_row(bad)
+            raise failure(Usage, f"{array[row]} is not an integer of {limits.bits} bits.",
+                          f"{what}[{row}]")
+    return np.ascontiguousarray(array, dtype)
 
 
 def _poses(poses: npt.ArrayLike) -> npt.NDArray[np.float64]:
-    shape = np.shape(poses)
-    if len(shape) != 3 or shape[1:] != (4, 4) or not 0 < shape[0] <= 1_000_000:
-        raise failure(Usage, f"The shape is {shape}; it must be (N, 4, 4), up to 1,000,000 poses.",
-                      "poses")
-    checked: npt.NDArray[np.float64] = _numbers(poses, np.float64, shape, "poses")
+    checked: npt.NDArray[np.float64] = _numbers(poses, np.float64, (None, 4, 4), "poses")
     turns = checked[:, :3, :3]
     off = np.abs(turns @ turns.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2))
     bad = (off > 1e-4) | (np.linalg.det(turns) < 0) | (checked[:, 3] != (0, 0, 0, 1)).any(axis=1)
     bad |= (np.abs(checked[:, :3, 3]) > 1e6).any(axis=1)
     if bad.any():
         raise failure(BadInput, "The matrix is not a rigid transform (world_from_camera).",
-                      f"pose {int(np.argmax(bad))}")
+                      f"poses[{int(np.argmax(bad))}]")
     return checked
 
 

@@ -6,7 +6,7 @@ import os
 import re
 import struct
 from pathlib import Path
-from typing import Any, Dict, List, Optional, Sequence
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -21,19 +21,25 @@ _STRUCTURE = ("wall", "floor", "ceiling", "door", "window", "doorway", "roof", "
 def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
           object_ids: Optional[npt.ArrayLike], names: Optional[Sequence[str]],
           classes: Optional[Sequence[Optional[str]]], structure: Optional[npt.ArrayLike],
-          colors: Optional[npt.ArrayLike]) -> None:
-    """See Scene.from_arrays()."""
-    points = _array(vertices, "vertices", "iuf", (None, 3))
-    if not np.isfinite(points).all() or (np.abs(points) > 1e6).any():
-        raise failure(Usage, "A coordinate is not finite, or beyond 1e6 m.", "vertices")
-    triangles = _array(faces, "faces", "iu", (None, 3)).astype(np.int64)
-    if triangles.min() < 0 or triangles.max() >= len(points):
-        raise failure(Usage, f"An index is not in the range 0 .. {len(points) - 1}.", "faces")
+          colors: Optional[npt.ArrayLike]) -> Dict[str, str]:
+    """See Scene.from_arrays(). Returns the class words by the names of the objects; empty without
+    object_ids."""
+    if object_ids is None:
+        for what, given in (("names", names), ("classes", classes), ("structure", structure)):
+            if given is not None:
+                raise failure(Usage, "The argument has a value for each object; give object_ids, too.",
+                              what)
+    points = array_of(vertices, "vertices", "iuf", (None, 3))
+    check_finite(points, "vertices")
+    far = np.abs(points) > 1e6
+    if far.any():
+        raise failure(Usage, "A coordinate is beyond 1e6 m.", f"vertices[{first_row(far)}]")
+    triangles = array_of(faces, "faces", "iu", (None, 3)).astype(np.int64)
+    _check_range(triangles, "faces", "index", len(points) - 1)
     ids = np.zeros(len(triangles), np.int64)
     if object_ids is not None:
-        ids = _array(object_ids, "object_ids", "iu", (len(triangles),)).astype(np.int64)
-    if ids.min() < 0 or ids.max() >= 65535:
-        raise failure(Usage, "An id is not in the range 0 .. 65534.", "object_ids")
+        ids = array_of(object_ids, "object_ids", "iu", (len(triangles),)).astype(np.int64)
+    _check_range(ids, "object_ids", "id", 65534)
     count = int(ids.max()) + 1
     titles = _titles(names, count, "names") if names is not None else [
         f"object_{i}" for i in range(count)]
@@ -44,7 +50,7 @@ def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
     if structure is None:
         building = [re.sub(r"[\W\d_]+$", "", word).lower() in _STRUCTURE for word in words]
     else:
-        building = _array(structure, "structure", "b", (count,)).tolist()
+        building = array_of(structure, "structure", "b", (count,)).tolist()
     colours = _colours(colors, ids, count)
 
     blob, gltf = bytearray(), _empty()
@@ -89,21 +95,49 @@ def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
         os.replace(unfinished, file)
     except OSError as error:
         raise failure(CannotWrite, f"The file cannot be written ({error.strerror}).", str(file)) from None
+    return {row["name"]: row["class"] for row in named} if object_ids is not None else {}
 
 
-def _array(values: npt.ArrayLike, what: str, kinds: str, shape: Any) -> npt.NDArray[Any]:
+_TYPES = {"b": "booleans", "iu": "integers"}  # by the kinds of NumPy; others are numbers
+
+
+def array_of(values: npt.ArrayLike, what: str, kinds: str, shape: Tuple[Optional[int], ...],
+             most: int = _MOST) -> npt.NDArray[Any]:
+    """An array of a kind and shape; None: a side from 1 to `most`. Raises Usage for others."""
     try:
         array = np.asarray(values)
     except (TypeError, ValueError):
         raise failure(Usage, "Give an array of numbers.", what) from None
     if array.dtype.kind not in kinds:
-        wanted = "numbers" if "f" in kinds else "whole numbers"
-        raise failure(Usage, f"The type is {array.dtype}; it must be {wanted}.", what)
-    fits = array.ndim == len(shape) and all(b in (None, a) for a, b in zip(array.shape, shape))
-    if not fits or not 0 < len(array) <= _MOST:
-        text = ", ".join("N" if side is None else str(side) for side in shape)
-        raise failure(Usage, f"The shape is {array.shape}; it must be ({text}), up to {_MOST}.", what)
+        raise failure(Usage, f"The type is {array.dtype}; it must be {_TYPES.get(kinds, 'numbers')}.",
+                      what)
+    fits = array.ndim == len(shape) and all(
+        0 < a <= most if b is None else a == b for a, b in zip(array.shape, shape))
+    if not fits:
+        wanted = str(shape).replace("None", "N")
+        limits = f", N from 1 to {most}" if None in shape else ""
+        raise failure(Usage, f"The shape is {array.shape}; it must be {wanted}{limits}.", what)
     return array
+
+
+def first_row(bad: npt.NDArray[np.bool_]) -> int:
+    """The first row with a true value."""
+    return int(np.argmax(bad.reshape(len(bad), -1).any(axis=1)))
+
+
+def check_finite(array: npt.NDArray[Any], what: str) -> None:
+    """Raises Usage with the first row that has NaN or infinity."""
+    bad = ~np.isfinite(array)
+    if bad.any():
+        raise failure(Usage, f"A number is not finite: {array[bad][0]}.",
+                      f"{what}[{first_row(bad)}]")
+
+
+def _check_range(array: npt.NDArray[np.int64], what: str, noun: str, most: int) -> None:
+    bad = (array < 0) | (array > most)
+    if bad.any():
+        raise failure(Usage, f"The {noun} {array[bad][0]} is not in the range 0 .. {most}.",
+                      f"{what}[{first_row(bad)}]")
 
 
 def _titles(values: Any, count: int, what: str) -> List[Any]:
@@ -122,7 +156,7 @@ def _colours(colors: Optional[npt.ArrayLike], ids: npt.NDArray[np.int64],
     if colors is None:
         rgb = np.tile(np.array(_GREY, np.int64), (len(ids), 1))
     else:
-        given = _array(colors, "colors", "uif", (None, 3))
+        given = array_of(colors, "colors", "uif", (None, 3))
         if len(given) not in (len(ids), count):
             raise failure(Usage,
                           f"There are {len(given)} colours; give one per triangle or one per object.",

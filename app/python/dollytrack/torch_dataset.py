@@ -1,9 +1,7 @@
 """Datasets for PyTorch's DataLoader."""
 from __future__ import annotations
 
-import operator
-from typing import (TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, TypeVar,
-                    Union)
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -13,10 +11,7 @@ from .dataset import Sample
 from .errors import Usage, failure
 
 if TYPE_CHECKING:
-    from .dataset import Dataset
-
-_FORMS = ("coco", "xyxy", "yolo")
-
+    from .dataset import BoxFormat, Dataset
 
 _Item = TypeVar("_Item", covariant=True)
 
@@ -24,27 +19,14 @@ _Item = TypeVar("_Item", covariant=True)
 class TorchDataset(torch.utils.data.Dataset[_Item]):
     """Pairs of an image and a target; see Dataset.torch()."""
 
-    def __init__(self, dataset: "Dataset", boxes: Optional[str], images: Union[str, Sequence[str]],
-                 pad: Union[bool, int], transform: Optional[Callable[..., Any]]) -> None:
-        if boxes is not None and boxes not in _FORMS:
-            raise failure(Usage, f"{boxes!r} is not a box format: give {', '.join(_FORMS)} or None.",
-                          "boxes")
-        if transform is not None and not callable(transform):
-            raise failure(Usage, "Give a function of image and target, not "
-                                 f"{type(transform).__name__}.", "transform")
-        images = [images] if isinstance(images, str) else list(images)
-        for name in ("rgb", *images):
-            if name not in dataset.modalities:
-                raise failure(Usage, f"{name!r} is not in the dataset; it has "
-                                     f"{', '.join(dataset.modalities)}.", "images")
+    def __init__(self, dataset: "Dataset", boxes: Optional["BoxFormat"], images: List[str],
+                 rows: int, transform: Optional[Callable[..., Any]]) -> None:
+        """Takes checked arguments; rows: the least number of rows of boxes and labels."""
         self.dataset = dataset
         self._form = boxes
         self._images = images
         self._transform = transform
-        self._rows = 0  # the least number of rows of boxes and labels
-        if boxes is not None and pad is not False:  # read here, so that the processes of a loader share it
-            counts = np.diff(dataset._boxes().starts)[dataset._indices]
-            self._rows = _rows_of(pad, int(counts.max(initial=0)), dataset)
+        self._rows = rows
 
     def __len__(self) -> int:
         return len(self.dataset)
@@ -92,18 +74,3 @@ class TorchDataset(torch.utils.data.Dataset[_Item]):
         """Collates targets of different shapes: the images as one tensor, the targets as a list."""
         pictures, targets = zip(*batch)
         return torch.stack(pictures), list(targets)
-
-
-def _rows_of(pad: Union[bool, int], most: int, dataset: "Dataset") -> int:
-    """The number of rows that all frames get. Raises Usage if a frame has more boxes."""
-    if isinstance(pad, (bool, np.bool_)):
-        return most if pad else 0
-    try:
-        rows = operator.index(pad)
-    except TypeError:
-        raise failure(Usage, f"Give True, False or a whole number, not {type(pad).__name__}.",
-                      "pad") from None
-    if rows < most or rows < 1:
-        raise failure(Usage, f"A frame of {dataset.folder} has {most} boxes; {rows} is too small.",
-                      "pad")
-    return rows

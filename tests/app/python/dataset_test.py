@@ -7,6 +7,7 @@ import struct
 import sys
 import unittest
 import zlib
+from unittest import mock
 
 import cv2
 import numpy as np
@@ -147,6 +148,27 @@ class DatasetTest(FolderCase):
                 dt.Dataset(copy).tracks()
             self.assertIn("000000_points.npy", str(caught.exception))
 
+    def test_datasets_without_tracks_and_boxes_say_how_to_export_them(self):
+        bare = self.folder / "bare"
+        made = run("export", self.folder / "room.obj", "--out", bare, "--max-frames", 2, *SET,
+                   "--modalities", "rgb", "--formats", "yolo")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        with self.assertRaisesRegex(dt.Usage, r"add 'tracks' to the modalities of export\(\)"):
+            dt.Dataset(bare).tracks()
+        with self.assertRaisesRegex(dt.BadInput, r"add 'coco' to the formats of export\(\)"):
+            dt.Dataset(bare)[0].boxes
+
+    def test_loaders_say_that_they_need_pytorch_after_their_arguments(self):
+        absent = {name: value for name, value in sys.modules.items()
+                  if name != "dollytrack.torch_dataset"}
+        with mock.patch.dict(sys.modules, {**absent, "torch": None}, clear=True):
+            with self.assertRaisesRegex(ModuleNotFoundError, "python3-torch.*pip") as caught:
+                self.data.torch()
+            self.assertEqual(caught.exception.name, "torch")
+            for wrong in ({"boxes": "xywh"}, {"images": ["flow"]}, {"pad": 0}, {"transform": 3}):
+                with self.assertRaises(dt.Usage):
+                    self.data.torch(**wrong)
+
     def test_folders_around_datasets_are_told(self):
         folder = self.folder / "around"
         (folder / "kitchen" / "dataset").mkdir(parents=True)
@@ -205,7 +227,12 @@ class DatasetTest(FolderCase):
                 dt.Dataset(place)
             said = run("verify", place)
             self.assertEqual(said.returncode, caught.exception.exit_code)
-            self.assertIn(str(caught.exception), said.stderr)
+            if place != unfinished:
+                self.assertIn(str(caught.exception), said.stderr)
+        self.assertIn("it is not a dataset", str(caught.exception))
+        (unfinished / ".dollytrack-export").touch()
+        with self.assertRaisesRegex(dt.BadInput, "did not finish.*resume=True"):
+            dt.Dataset(unfinished)
         (unfinished / "dataset.json").write_text("{\"format\": \"other\"}")
         with self.assertRaises(dt.BadInput):
             dt.Dataset(unfinished)

@@ -4,19 +4,23 @@ import gc
 import importlib.util
 import inspect
 import json
+import logging
 import pydoc
 import os
 import pickle
 import subprocess
 import sys
+import typing
 import unittest
+import warnings
 
 import cv2
 import numpy as np
 
 from module import (MODULE, ROOT, RoomCase, SET, SIZE, dt, hashes, run, start_python,
                     tiny_room)
-from dollytrack import errors
+from dollytrack import arguments as python_arguments
+from dollytrack import errors, plan as plan_module
 
 HAS_TORCH = importlib.util.find_spec("torch") is not None
 ROOM = [("floor", (0, -0.1, 0), (4, 0, 3)), ("ceiling", (0, 2.6, 0), (4, 2.7, 3)),
@@ -94,6 +98,58 @@ class EngineTest(RoomCase):
         kept = dt.Scene.from_arrays(vertices, faces, ids, names, file=self.folder / "kept.glb")
         kept.plan(max_frames=4).save(self.folder / "kept.dolly")
         self.assertEqual(len(dt.load(self.folder / "kept.dolly").saved_plan()), 4)
+
+    def test_arrays_by_object_need_the_objects_ids(self):
+        vertices, faces, _ = arrays()
+        names = [name for name, _, _ in ROOM]
+        for given in ({"names": names}, {"classes": names}, {"structure": [True] * len(ROOM)}):
+            with self.subTest(*given), self.assertRaisesRegex(dt.Usage, f"^{[*given][0]}: .*object_ids"):
+                dt.Scene.from_arrays(vertices, faces, **given)
+
+    def test_unknown_class_words_are_one_warning(self):
+        vertices, faces, ids = arrays()
+        names = [name for name, _, _ in ROOM]
+        file = self.folder / "words.glb"
+        with self.assertLogs("dollytrack.import", logging.WARNING) as logs:
+            scene = dt.Scene.from_arrays(vertices, faces, ids, names, ["foo"] * 7 + ["qux", None],
+                                         file=file)
+        [line] = logs.output
+        for word in ('"foo"', '"qux"', "of 9 objects", "Scene.classes"):
+            self.assertIn(word, line)
+        # Class words decide whether an object is structure, before its name.
+        self.assertEqual({o.role for o in scene.objects}, {"target"})
+        labels = self.folder / "words.csv"
+        labels.write_text("foo,table\n")
+        self.assertEqual(dt.load(file, labels=labels)["floor"].class_name, "table")
+        # Messages of other calls are passed on.
+        with self.assertLogs("dollytrack.import", logging.WARNING), \
+                python_arguments.intercepted(["mine"]) as mine:
+            python_arguments.log("import", logging.WARNING, "other; do this", "")
+            python_arguments.log("import", logging.WARNING, "mine; do this", "")
+        self.assertEqual(mine, ["mine; do this"])
+
+    def test_wrong_arrays_are_told_by_their_rows_and_shapes(self):
+        vertices, faces, ids = arrays()
+        poses, count = self.plan.poses, len(ROOM)
+        no_pose, far, unlisted = poses.copy(), vertices.astype(float), faces.copy()
+        no_pose[3, 1, 2], far[5, 0], unlisted[7, 2] = np.nan, np.inf, len(vertices)
+        for text, call in (
+                (r"^poses\[3\]: .*finite: nan", lambda: dt.judge(self.scene, no_pose)),
+                (r"^poses\[0\]: .*rigid", lambda: dt.judge(self.scene, 2 * poses)),
+                (r"^poses: .*\(N, 4, 4\), N from 1 to", lambda: dt.judge(self.scene, poses[:0])),
+                ("^poses: ", lambda: dt.judge(self.scene, [[1], [2, 3]])),
+                (r"^times: .* must be \(8,\)\.$", lambda: dt.judge(self.scene, poses, [0, 1])),
+                (r"^times\[2\]: .*later", lambda: dt.judge(self.scene, poses, [0, 1, 1, *range(3, 8)])),
+                (r"^vertices\[5\]: .*finite: inf", lambda: dt.Scene.from_arrays(far, faces, ids)),
+                (r"^vertices: .*N from 1", lambda: dt.Scene.from_arrays(vertices[:0], faces, ids)),
+                (rf"^faces\[7\]: The index {len(vertices)} ",
+                 lambda: dt.Scene.from_arrays(vertices, unlisted, ids)),
+                (rf"^object_ids: .* must be \({len(faces)},\)\.$",
+                 lambda: dt.Scene.from_arrays(vertices, faces, ids[:5])),
+                ("^structure: .*booleans", lambda: dt.Scene.from_arrays(
+                    vertices, faces, ids, structure=["floor"] * count))):
+            with self.subTest(text), self.assertRaisesRegex((dt.Usage, dt.BadInput), text):
+                call()
 
     # --- plans
 
@@ -315,7 +371,77 @@ class EngineTest(RoomCase):
         far = dt.judge(self.scene, outside, **SIZE)
         self.assertEqual((far["captured"], far["outside_rate"]), (0, 1.0))
 
+    def test_judge_refuses_parameters_that_it_does_not_use(self):
+        poses = self.plan.poses
+        for name, value in (("frame_rate", 2), ("fps", 2)):
+            with self.assertRaisesRegex(dt.Usage, f"^{name}: .*times sets"):
+                dt.judge(self.scene, poses, **{name: value})
+        for name, value in (("fill", 0.5), ("max_frames", 3), ("seed", 2), ("exposure_ev", 1)):
+            with self.assertRaisesRegex(dt.Usage, f"^{name}: .*body, camera, free_space"):
+                dt.judge(self.scene, poses, **{name: value})
+
+    def test_paths_are_integers(self):
+        poses = self.plan.poses
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for paths in (np.arange(8) + 0.5, np.full(8, np.nan), np.full(8, np.inf),
+                          np.arange(8) * 2**40, np.full(8, 2**63, np.uint64)):
+                with self.assertRaisesRegex(dt.Usage, r"^paths\[\d\]: "):
+                    dt.judge(self.scene, poses, paths=paths)
+            cut = np.array([0, 0, 0, 0, 1, 1, 1, 1])
+            self.assertEqual(dt.judge(self.scene, poses, paths=cut.astype(np.float32)),
+                             dt.judge(self.scene, poses, paths=cut))
+
     # --- errors
+
+    def test_unknown_names_are_compared_with_arguments_and_parameters(self):
+        for call, text in (
+                (lambda: self.plan.export("x", format="yolo"), "did you mean 'formats'"),
+                (lambda: self.plan.export("x", modality="rgb"), "did you mean 'modalities'"),
+                (lambda: self.plan.render("rgb", light_prest="day"), "did you mean 'light_preset'"),
+                (lambda: self.scene.plan(ignor="sofa"), "did you mean 'ignore'"),
+                (lambda: self.scene.plan(fps=2), "did you mean 'frame_rate'"),
+                (lambda: dt.judge(self.scene, self.plan.poses, tims=[1]), "did you mean 'times'"),
+                (lambda: self.plan.render("rgb", widht_px=64), r"did you mean 'width_px'\?.*plan\(\)"),
+                (lambda: self.plan.render(images="rgb"), "without a name"),
+                (lambda: self.plan.export("x", qqqq=1), r"'qqqq'; dollytrack.parameters\(\) lists all"),
+                (lambda: self.plan.render("rgb", width_px=64), r"^width_px: .*plan\(\).*imu, stereo"),
+                (lambda: self.plan.export("x", fill=0.5), r"^fill: .*plan\(\).*imu, stereo")):
+            with self.subTest(text), self.assertRaisesRegex(dt.Usage, text):
+                call()
+
+    def test_the_names_of_images_are_checked(self):
+        for name, text in (("RGB", "did you mean 'rgb'"), ("color", "did you mean 'rgb'"),
+                           ("dept", "did you mean 'depth'"), ("xyz", "There is no image 'xyz'; there are"),
+                           ("tracks", r"export\(\) writes it"), (["rgb"], r"render\('rgb', 'depth'\)"),
+                           ("rgb, depth", r"render\('rgb', 'depth'\)")):
+            with self.subTest(name), self.assertRaisesRegex(dt.Usage, text):
+                self.plan.render(name)
+        # The list of the types is the engine's.
+        with self.assertRaises(dt.Usage) as caught:
+            self.plan._core.render(modalities=["xyz"], range="::", still=False, gl="auto",
+                                   assignments=[], progress=None)
+        known = ", ".join(typing.get_args(plan_module.ImageName))
+        self.assertIn(f"render() has {known};", str(caught.exception))
+
+    def test_names_are_given_as_a_list(self):
+        for given, text in (({"modalities": "rgb, depth"}, r"\['rgb', 'depth'\]"),
+                            ({"formats": "coco,yolo"}, r"\['coco', 'yolo'\]"),
+                            ({"modalities": []}, "empty"), ({"formats": ()}, "empty"),
+                            ({"modalities": 3}, "int"), ({"flow_distances": 2.5}, "whole number")):
+            with self.subTest(given), self.assertRaisesRegex(dt.Usage, f"^{[*given][0]}: .*{text}"):
+                self.plan.export(self.folder / "none", **given)
+
+    def test_one_distance_of_flow_is_a_list_of_one(self):
+        for name, distances in (("flow_a", 3), ("flow_b", [3]), ("flow_c", np.int64(3))):
+            self.plan.export(self.folder / name, modalities="flow_forward", flow_distances=distances)
+        self.assertSameFiles(self.folder / "flow_a", self.folder / "flow_b")
+        self.assertSameFiles(self.folder / "flow_a", self.folder / "flow_c")
+
+    def test_the_unit_is_a_positive_number(self):
+        for unit in (0, -1, float("nan"), float("inf"), 1e30, 10**400):
+            with self.subTest(unit), self.assertRaisesRegex(dt.Usage, "^unit_m: "):
+                dt.load(self.room, unit_m=unit)
 
     def test_errors_have_the_command_lines_sentences_and_codes(self):
         damaged = self.folder / "damaged.glb"

@@ -78,6 +78,8 @@ except KeyboardInterrupt:
         self.assertIn("interrupted", printed)
         self.assertFalse((out / "dataset.json").exists())
         self.assertTrue((out / ".dollytrack-export").exists())
+        with self.assertRaisesRegex(dt.BadInput, "did not finish.*resume=True"):
+            dt.Dataset(out)
         self.assertGreater(len(list((out / "rgb").iterdir())), 0)
 
     def test_notes_go_to_pythons_loggers(self):

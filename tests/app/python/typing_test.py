@@ -29,10 +29,17 @@ WRONG = {
     "plan.scene.plan(camera_preset='dron')": "Literal['dron']",
     "plan.scene.plan(loop='yes')": "loop",
     "dt.judge(plan.scene, plan.poses, fill=0.5)": "fill",
+    "plan.render('rgb', gl='cuda')": "Literal['cuda']",
+    "plan.export('x', gl='cuda')": "Literal['cuda']",
+    "plan.render('color')": "Literal['color']",
+    "dt.load('x', up_axis='up')": "Literal['up']",
+    "dt.Dataset('x').torch(boxes='xywh')": "torch",
 }
 #: Lines that are right.
 RIGHT = ("import numpy as np", "plan.scene.plan(fill=np.float32(0.5), max_frames=np.int64(3), loop=True)",
          "plan.render('rgb', render_mode='traced', exposure_ev=1)", "plan.export('x', preset='nerf')",
+         "plan.render('rgb', gl='egl')", "plan.export('x', flow_distances=3)",
+         "dt.load('x', up_axis='-y')", "dt.Dataset('x').torch(boxes='xyxy', images='depth')",
          "dt.judge(plan.scene, plan.poses, camera_radius_m=0.2)")
 if importlib.util.find_spec("torch") is not None:
     REVEALED["dt.Dataset('x').torch()[0]"] = (
