@@ -1,11 +1,13 @@
 #include "engine/io/assimp/model_text_repair.h"
 #include "engine/io/import/scene_import.h"
 #include "engine/io/models/model_reader.h"
+#include "engine/scene/labels.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstdint>
@@ -18,6 +20,7 @@
 namespace dollytrack::awkward_scene_test {
 namespace {
 
+using Eigen::Vector3d;
 using test::countTargets;
 using test::furnished;
 using test::importedText;
@@ -304,6 +307,79 @@ TEST(AwkwardScene, ColladaColoursMayBeginWithBlanks) {
         EXPECT_EQ(raw->materials.at(raw->parts[0].material).base_color, Eigen::Vector3f(1, 0, 0))
             << color;
     }
+}
+
+/// A Collada file whose geometries, axis-aligned boxes with the z axis up, are all in one node.
+std::string colladaInOneNode(const std::vector<Eigen::AlignedBox3d>& boxes) {
+    std::ostringstream geometries;
+    std::ostringstream instances;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        geometries << "<geometry id=\"ID" << i << "\"><mesh><source id=\"p" << i
+                   << "\"><float_array id=\"a" << i << "\" count=\"24\">";
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
+            geometries << boxes[i].corner(type).transpose() << " ";
+        }
+        geometries
+            << "</float_array><technique_common><accessor source=\"#a" << i
+            << "\" count=\"8\" stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" "
+               "type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor></technique_common>"
+               "</source><vertices id=\"v"
+            << i << "\"><input semantic=\"POSITION\" source=\"#p" << i
+            << "\"/></vertices><triangles count=\"12\"><input semantic=\"VERTEX\" source=\"#v" << i
+            << "\" offset=\"0\"/><p>0 2 1 1 2 3 4 5 6 5 7 6 0 1 4 1 5 4 2 6 3 3 6 7 0 4 2 2 4 6 1 "
+               "3 5 "
+               "3 7 5</p></triangles></mesh></geometry>";
+        instances << "<instance_geometry url=\"#ID" << i << "\"/>";
+    }
+    return "<?xml version=\"1.0\"?><COLLADA "
+           "xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\"><asset>"
+           "<unit name=\"meter\" meter=\"1\"/><up_axis>Z_UP</up_axis></asset><library_geometries>" +
+           geometries.str() +
+           "</library_geometries><library_visual_scenes><visual_scene id=\"s\"><node id=\"n\">" +
+           instances.str() +
+           "</node></visual_scene></library_visual_scenes><scene><instance_visual_scene "
+           "url=\"#s\"/></scene></COLLADA>";
+}
+
+TEST(AwkwardScene, TheGeometriesOfARoomInOneNodeAreObjects) {
+    using Box = Eigen::AlignedBox3d;
+    std::vector<Box> boxes = {Box(Vector3d(0, 0, -0.1), Vector3d(5, 4, 0)),
+                              Box(Vector3d(-0.1, 0, 0), Vector3d(0, 4, 2.6)),
+                              Box(Vector3d(5, 0, 0), Vector3d(5.1, 4, 2.6)),
+                              Box(Vector3d(0, -0.1, 0), Vector3d(5, 0, 2.6)),
+                              Box(Vector3d(0, 4, 0), Vector3d(5, 4.1, 2.6)),
+                              // It has a corner in common with three walls' corners.
+                              Box(Vector3d(0, 0, 0), Vector3d(1.8, 0.6, 2.2))};
+    for (int i = 0; i < 16; ++i) {
+        const Vector3d low(0.5 + 0.9 * (i % 4), 1.2 + 0.6 * (i / 4), 0.0);
+        boxes.emplace_back(low, low + Vector3d(0.3, 0.25, 0.3 + 0.04 * i));
+    }
+    const Scene scene = importedText(colladaInOneNode(boxes), "room.dae");
+    EXPECT_EQ(countTargets(scene), 17);
+    test::expectBox(scene, "ID5", {0, 0, 0}, {1.8, 0.6, 2.2});
+    EXPECT_FALSE(says(scene.report.warnings, "does not separate"));
+}
+
+TEST(AwkwardScene, AMattressAndCushionsAreNotTheFloor) {
+    const auto isFloor = [](const Scene& scene, const std::string& name) {
+        const Object* found = test::find(scene, name);
+        return found != nullptr && found->structure && found->nyu40 == kNyuFloor;
+    };
+    ObjWriter alone = furnished();
+    alone.object("q1").box({2.5, 0.3, 0.36}, {4.4, 1.8, 0.56});
+    EXPECT_TRUE(isFloor(importedText(alone.text()), "q1")) << "a platform";
+    ObjWriter held = furnished();
+    held.object("q1").box({2.5, 0.3, 0.36}, {4.4, 1.8, 0.56});
+    held.object("q2").box({2.4, 0.2, 0.0}, {2.5, 1.9, 0.9}).box({4.4, 0.2, 0.0}, {4.5, 1.9, 0.5});
+    held.box({2.4, 0.2, 0.2}, {4.5, 0.3, 0.4});  // joins the ends of the bed
+    EXPECT_FALSE(isFloor(importedText(held.text()), "q1"));
+    ObjWriter cushions = furnished();
+    cushions.object("q1");
+    for (const double x : {2.4, 4.2}) {
+        for (const double y : {0.3, 1.6}) cushions.box({x, y, 0.4}, {x + 0.4, y + 0.4, 0.5});
+    }
+    EXPECT_FALSE(isFloor(importedText(cushions.text()), "q1"));
 }
 
 /// A shell with outward faces still encloses the room.

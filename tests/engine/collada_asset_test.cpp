@@ -17,6 +17,10 @@ TEST(ColladaAsset, ReadsUnitAndUpAxis) {
     EXPECT_EQ(asset.up_axis, 'z');
     EXPECT_EQ(parseColladaAsset("<unit meter = ' 2.54e-2' name='inch'>").unit_m, 0.0254);
     EXPECT_EQ(parseColladaAsset("<up_axis> X_UP").up_axis, 'x');
+    EXPECT_TRUE(
+        parseColladaAsset("<authoring_tool>SketchUp 14.0.4900</authoring_tool>").by_sketchup);
+    EXPECT_TRUE(parseColladaAsset("<authoring_tool>Google SketchUp 8").by_sketchup);
+    EXPECT_FALSE(parseColladaAsset("<authoring_tool>Blender</authoring_tool>SketchUp").by_sketchup);
 }
 
 TEST(ColladaAsset, KeepsDefaultsForWhatIsNoNumber) {

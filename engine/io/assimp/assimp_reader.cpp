@@ -247,15 +247,41 @@ Material readMaterial(const aiMaterial& source, const std::string& format, Textu
     return material;
 }
 
+/// A node with as many different geometries is not one object.
+constexpr std::size_t kRoomInOneNode = 20;
+
 struct Placement {
     const aiMesh* mesh = nullptr;
     Eigen::Affine3d source_from_mesh;
     int node = 0;
 };
 
+/// Adds the meshes of a node. With `divide`, each of the geometries of a node that has many becomes
+/// a node of its own, with all its materials: SketchUp writes whole rooms as one Collada node.
+void placeMeshes(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& here, bool divide,
+                 RawScene& raw, std::vector<Placement>& placements) {
+    const auto own = static_cast<int>(raw.nodes.size()) - 1;
+    std::map<std::string_view, int> node_of_geometry;
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+        if (node.mMeshes[i] >= scene.mNumMeshes) continue;
+        const aiMesh* mesh = scene.mMeshes[node.mMeshes[i]];
+        node_of_geometry.emplace(mesh->mName.C_Str(), own);
+        placements.push_back({mesh, here, own});
+    }
+    if (!divide || node_of_geometry.size() < kRoomInOneNode) return;
+    for (auto& [name, index] : node_of_geometry) {
+        index = static_cast<int>(raw.nodes.size());
+        raw.nodes.push_back({cleanText(std::string(name)), own, 0});
+        ++raw.nodes[own].children;
+    }
+    for (Placement& one : placements) {
+        if (one.node == own) one.node = node_of_geometry.at(one.mesh->mName.C_Str());
+    }
+}
+
 /// Traverses the nodes with an explicit stack, because a file's nesting depth is not limited.
 std::vector<Placement> collectPlacements(const aiScene& scene, const Eigen::Affine3d& root,
-                                         RawScene& raw) {
+                                         bool divide, RawScene& raw) {
     struct Visit {
         const aiNode* node;
         int parent;
@@ -271,10 +297,7 @@ std::vector<Placement> collectPlacements(const aiScene& scene, const Eigen::Affi
         if (visit.parent >= 0) ++raw.nodes[visit.parent].children;
         const Eigen::Affine3d here =
             visit.source_from_parent * toAffine(visit.node->mTransformation);
-        for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
-            const unsigned mesh = visit.node->mMeshes[i];
-            if (mesh < scene.mNumMeshes) placements.push_back({scene.mMeshes[mesh], here, index});
-        }
+        placeMeshes(scene, *visit.node, here, divide, raw, placements);
         for (unsigned i = visit.node->mNumChildren; i-- > 0;) {
             stack.push_back({visit.node->mChildren[i], index, here});
         }
@@ -383,6 +406,7 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
         const ColladaAsset asset = readColladaAsset(files, path);
         raw.file_unit_m = asset.unit_m;
         raw.file_up_axis = asset.up_axis;
+        raw.up_is_certain = asset.by_sketchup;
         root = undoCollada(asset);
     }
     TextureList textures(scene, raw);
@@ -391,7 +415,7 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
     }
     if (raw.materials.empty()) raw.materials.emplace_back();
 
-    const std::vector<Placement> placements = collectPlacements(scene, root, raw);
+    const std::vector<Placement> placements = collectPlacements(scene, root, ext == ".dae", raw);
     readMeshes(scene, placements, job, raw);
     return raw;
 }

@@ -53,6 +53,10 @@ ColladaAsset parseColladaAsset(std::string_view head) {
             asset.up_axis = "xyz"[head[up + letter] - 'X'];
         }
     }
+    if (const auto tool = head.find("<authoring_tool>"); tool != std::string_view::npos) {
+        const std::string_view name = head.substr(tool, head.find('<', tool + 1) - tool);
+        asset.by_sketchup = name.find("SketchUp") != std::string_view::npos;
+    }
     if (const auto unit = head.find("<unit"); unit != std::string_view::npos) {
         const auto length = head.substr(unit).find('>');
         if (length != std::string_view::npos) {

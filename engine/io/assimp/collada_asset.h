@@ -8,6 +8,7 @@ namespace dollytrack {
 struct ColladaAsset {
     double unit_m = 1.0;  // metres per unit
     char up_axis = 'y';   // 'x', 'y' or 'z'
+    bool by_sketchup = false;
 };
 
 /// Reads the first bytes of a file; they may end anywhere. What is missing, cut off or no number

@@ -85,11 +85,10 @@ void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal
 
 ImportProposal proposeImport(const Scene& scene, const FrameChoice& frame, bool classes_by_shape) {
     ImportProposal proposal;
-    const bool axis_given = scene.report.up_source == "given";
     const bool unit_given = scene.report.unit_source == "given";
-    if (!axis_given || !unit_given) {
+    if (!frame.up_is_certain || !unit_given) {
         const FrameEvidence evidence = collectEvidence(scene, classes_by_shape);
-        if (!axis_given && !evidence.core.isEmpty()) doubtAxis(evidence, scene, proposal);
+        if (!frame.up_is_certain && !evidence.core.isEmpty()) doubtAxis(evidence, scene, proposal);
         if (!unit_given && !evidence.core.isEmpty()) doubtUnit(evidence, scene, proposal);
     }
     if (frame.likelier_up && proposal.up_doubt.empty()) {

@@ -25,6 +25,7 @@ struct Shape {
     double largest_plane = 0.0;  // upright area that faces along the box's thin side
     double above = 0.0;          // share of all objects whose centre is above its bottom
     double inside = 0.0;         // share of all objects whose centre is inside its bounds
+    bool held = false;           // lies in another object of a similar footprint, as in a bed frame
 };
 
 Shape measureShape(const RawScene& raw, const ObjectDraft& draft) {
@@ -116,8 +117,11 @@ Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
     }
     const double share = shape.box.half_size.x() * shape.box.half_size.y() * 4.0 /
                          std::max(1e-9, room_size.x() * room_size.y());
-    // A step or platform: thicker than a rug, and larger than low table tops.
-    const bool platform = flat && size.z() > 0.06 && low < 0.6 && share > 0.12;
+    // A step or platform: thicker than a rug, larger than low table tops, and closed, unlike the
+    // cushions of several chairs.
+    const bool closed = shape.level_area > 0.6 * size.x() * size.y();
+    const bool platform =
+        flat && size.z() > 0.06 && low < 0.6 && share > 0.12 && closed && !shape.held;
     if (platform && shape.bounds.min().z() < room.min().z() + 0.45) return {true, kNyuFloor};
     if (flat && share > 0.3) {
         if (high < 0.3 * room_size.z() && low > 1.8) return {true, kNyuCeiling};
@@ -151,6 +155,21 @@ Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
         return {true, kNyuWall};
     }
     return {};
+}
+
+/// Whether an object stands around and below this one, as a bed does around its mattress.
+bool isHeld(const Eigen::AlignedBox3d& one, const std::vector<Object>& boxes) {
+    constexpr double kStep = 0.1;
+    const double footprint = one.sizes().head<2>().prod();
+    return std::ranges::any_of(boxes, [&](const Object& other) {
+        const Eigen::Vector3d& half = other.box.half_size;
+        const Eigen::Array2d apart =
+            (one.center() - other.box.center).head<2>().array().abs() - half.head<2>().array();
+        const bool around = (apart + 0.45 * one.sizes().head<2>().array() < 0.0).all();
+        return around && 4.0 * half.head<2>().prod() < 2.0 * footprint &&
+               other.box.center.z() - half.z() < one.min().z() - kStep &&
+               other.box.center.z() + half.z() > one.min().z();
+    });
 }
 
 /// Marks wall cladding: thin upright sheets with a wall's material, or longer than pictures are.
@@ -212,6 +231,7 @@ std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& d
         double inside = 0.0;
         for (const Object& other : boxes) inside += shape.bounds.contains(other.box.center);
         shape.above = shareAbove(shape, boxes);
+        shape.held = isHeld(shape.bounds, boxes);
         shape.inside = boxes.size() < 6 ? 0.0 : inside / static_cast<double>(boxes.size());
         by_shape[i] = 1;
     });

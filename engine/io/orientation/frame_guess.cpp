@@ -50,7 +50,8 @@ std::vector<UpEvidence> rankUpright(const FrameEvidence& evidence) {
 void weighFileAxis(const RawScene& raw, const FrameEvidence& evidence, FrameChoice& choice) {
     choice.up_axis = raw.file_up_axis;
     choice.up_source = "file";
-    if (!raw.objects.empty()) return;
+    choice.up_is_certain = raw.up_is_certain;
+    if (!raw.objects.empty() || raw.up_is_certain) return;
     const std::vector<UpEvidence> ranked = scoreUpAxes(evidence);
     if (!contradicts(evidence, ranked, raw.file_up_axis, kOverwhelming)) {
         const UpAxis best = ranked.front().axis;
@@ -73,6 +74,7 @@ void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<
     if (given) {
         choice.up_axis = *given;
         choice.up_source = "given";
+        choice.up_is_certain = true;
         return;
     }
     if (raw.file_up_axis.isAxis()) return weighFileAxis(raw, evidence, choice);
@@ -200,6 +202,7 @@ FrameChoice chooseFrame(const RawScene& raw, const std::vector<ObjectDraft>& dra
         choice.unit_m = *given_unit_m;
         choice.up_axis = *given_up_axis;
         choice.unit_source = choice.up_source = "given";
+        choice.up_is_certain = true;
         return choice;
     }
     const FrameEvidence evidence = collectEvidence(raw, drafts);

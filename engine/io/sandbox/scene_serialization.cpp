@@ -111,7 +111,7 @@ void repairMembers(Archive& archive, T& repairs) {
 template <class Archive, class T>
 void sceneMembers(Archive& archive, T& scene) {
     auto& [raw, set] = scene;
-    auto& [nodes, parts, objects, materials, requests, repairs, unit_m, up_axis, file_from_parts,
+    auto& [nodes, parts, objects, materials, requests, repairs, unit_m, up_axis, up_is_certain, file_from_parts,
            notes, warnings] = raw;
     auto& [textures, missing, broken, found] = set;
     const auto text = [](Archive& to, auto& line) { to.text(line); };
@@ -125,6 +125,7 @@ void sceneMembers(Archive& archive, T& scene) {
     auto& [axis_letter, axis_negative] = up_axis;
     archive.number(axis_letter);
     archive.number(axis_negative);
+    archive.number(up_is_certain);
     for (Eigen::Index i = 0; i < 12; ++i) archive.number(file_from_parts(i / 4, i % 4));
     archive.list(notes, 8, text);
     archive.list(warnings, 8, text);

@@ -18,7 +18,7 @@ struct DecodedScene {
 
 /// Version of the binary format and of the readers' results. It must be raised whenever the same
 /// file is read differently: scenes of other versions are neither read nor cached.
-inline constexpr std::uint32_t kSerializationVersion = 11;
+inline constexpr std::uint32_t kSerializationVersion = 12;
 
 /// The size of the serialized outcome in bytes.
 [[nodiscard]] std::size_t serializedSize(const Result<DecodedScene>& outcome);
