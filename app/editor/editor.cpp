@@ -132,7 +132,8 @@ void Editor::refreshScene() {
     }
     const PlanOutcome& shown = workspace_.shown();
     selected_.follow(shown.objects);
-    if (plan_timeline_.follow(shown)) {
+    if (plan_timeline_.follow(shown.scene.get(), shown.rays.get(), shown.plan,
+                              shown.params.camera.camera_radius_m)) {
         playback_.setFrameCount(frameCount());
         goToRecordedKey();
         if (plan() != nullptr) {

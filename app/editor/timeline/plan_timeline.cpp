@@ -6,9 +6,10 @@
 
 namespace dollytrack::editor {
 
-bool PlanTimeline::follow(const PlanOutcome& shown) {
-    if (shown.plan == seen_) return false;
-    seen_ = shown.plan;
+bool PlanTimeline::follow(const Scene* scene, const RayCaster* rays,
+                          std::shared_ptr<const Plan> plan, double camera_radius_m) {
+    if (plan == seen_) return false;
+    seen_ = std::move(plan);
     ++serial_;
     const bool is_measured =
         seen_ != nullptr && seen_->series.size() == seen_->trajectory.frames.size();
@@ -21,14 +22,13 @@ bool PlanTimeline::follow(const PlanOutcome& shown) {
         }
     }
     collisions_.clear();
-    if (seen_ != nullptr && shown.rays != nullptr) {
-        collisions_ =
-            planning::collidingFrames(*seen_, *shown.rays, shown.params.camera.camera_radius_m);
+    if (seen_ != nullptr && rays != nullptr) {
+        collisions_ = planning::collidingFrames(*seen_, *rays, camera_radius_m);
     }
     keys_.clear();
     bands_.clear();
-    if (seen_ != nullptr && shown.scene != nullptr) {
-        keys_ = ui::timelineKeys(*shown.scene, *seen_);
+    if (seen_ != nullptr && scene != nullptr) {
+        keys_ = ui::timelineKeys(*scene, *seen_);
         bands_ = ui::timelineBands(*seen_);
     }
     return true;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/editor/project/live_planner.h"
 #include "engine/plan/frame_quality.h"
 #include "engine/plan/plan.h"
 #include "engine/scene/scene.h"
@@ -17,8 +16,10 @@ namespace dollytrack::editor {
 /// until the new ones are measured.
 class PlanTimeline {
   public:
-    /// Updates the data; returns whether the plan (null: none) differs from the last call.
-    bool follow(const PlanOutcome& shown);
+    /// Updates the data; returns whether the plan (null: none) differs from the last call. `rays`
+    /// are those of the scene; without them no collisions are found.
+    bool follow(const Scene* scene, const RayCaster* rays, std::shared_ptr<const Plan> plan,
+                double camera_radius_m);
     /// Metrics of the newest measured plan; null if no plan was measured.
     [[nodiscard]] const FrameSeries* measured() const {
         return measured_ ? &measured_->series : nullptr;
