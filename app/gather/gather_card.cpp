@@ -279,14 +279,16 @@ std::string readmeText(const GatherCard& card) {
                             ? fmt::format("Each scene, and so each room, is in only one part (seed "
                                           "{}). `gather.json` lists the part of each source.",
                                           order.split.seed)
-                            : "The dataset is not split; `--split by-room 80/10/10` splits it.");
+                        : scenes > 1 ? "The dataset is not split; `dollytrack gather --split "
+                                       "by-room 80/10/10` makes a split one."
+                                     : "The dataset is not split.");
     text += fmt::format("## Images\n\nImages of each frame: {}.\n\n", imageList(card));
-    text += fmt::format(
-        "## Classes\n\n{}{}\n",
-        card.modalities.contains(kSemantic)
-            ? "Pixels of `semantic` images have the id of their class, not its number.\n\n"
-            : "",
-        classTable(card));
+    text +=
+        fmt::format("## Classes\n\n{}{}\n",
+                    card.modalities.contains(kSemantic)
+                        ? "Pixels of `semantic` images have the *id* below, not the *number*.\n\n"
+                        : "",
+                    classTable(card));
     text += fmt::format("## Conventions\n\n{}\n", conventionList(card));
     text += licensesSection(card.sources);
     text +=

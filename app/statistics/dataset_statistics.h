@@ -85,7 +85,7 @@ struct DatasetStatistics {
 struct FrameSamples {
     std::size_t measured = 0;  // frames whose images are read
     std::size_t shown = 0;     // example frames
-    double single_at = 0.0;    // position of a single example frame, as a share of the frames
+    double single_at = 0.0;    // where a single example frame is taken: 0 first, 1 end
 };
 
 /// Reads the tables, annotations and some images of a dataset. Equal input gives equal numbers,

@@ -32,7 +32,7 @@ constexpr double kDollyStart = 0.25;  // the same where a dolly starts
 constexpr double kWalkHeight = 1.5;   // above the floor, m
 constexpr double kRoomMiddle = 1.2;   // height above the floor of a room's point to look at, m
 constexpr double kAround = 0.3;       // the floor is looked for this far around an object, m
-constexpr double kAboveRugs = 0.1;    // so that flat objects are above the floor they lie on, m
+constexpr double kAboveRugs = 0.1;    // added to an object's middle: a rug is above its floor, m
 constexpr double kRoomShare = 0.35;   // radius of an orbit in a room, as a share of its width
 constexpr double kFull = 0.85;        // largest share of the image that an orbited object takes
 constexpr double kSameRadius = 0.95;  // a smaller share of the wanted radius is reported
@@ -141,14 +141,10 @@ class MoveMaker {
   public:
     MoveMaker(const MappedScene& scene, const PlanParams& params, const MoveRequest& request,
               const JobContext& job)
-        : scene_(scene),
-          request_(request),
-          job_(job),
-          floors_(*scene.scene, *scene.rays, *scene.free_space, scene.sphere->radius()) {
+        : scene_(scene), request_(request), job_(job) {
         timing_.limits = motionLimits(params.timing);
         timing_.frame_interval_s = timing_.smooth_over_s = 1.0 / params.timing.frame_rate;
         timing_.retime_all = true;
-        floor_ = walkedFloor(scene, floors_, kWalkHeight);
     }
 
     Result<CameraMove> make() {
@@ -163,6 +159,9 @@ class MoveMaker {
         if (from && (*to - *from).norm() < kMoveSpacing) {
             return fail(ErrorCode::Usage, "The two points are the same.", "from, to");
         }
+        floors_.emplace(*scene_.scene, *scene_.rays, *scene_.free_space, scene_.sphere->radius());
+        floor_ = walkedFloor(scene_, *floors_, kWalkHeight);
+        if (job_.cancelled()) return cancelled();
         if (request_.kind == "walk") return walk(from, to);
         std::optional<Vector3d> look_at;
         Positions positions;
@@ -208,7 +207,7 @@ class MoveMaker {
             return ObjectMoves(scene_, **target);
         }
         subject_name_ = center ? "this point" : "the middle of the room";
-        if (center) floor_ = floors_.below(*center);
+        if (center) floor_ = floors_->below(*center);
         const RoomPlan plan(*scene_.scene, *scene_.rays, *scene_.free_space,
                             scene_.sphere->radius());
         const auto room = center ? static_cast<std::size_t>(plan.roomAt(*center)) : 0;
@@ -220,16 +219,21 @@ class MoveMaker {
         return ObjectMoves(scene_, center.value_or(middle), reach);
     }
 
-    /// The floor that an object stands on or hangs over. Under the object itself it may be hidden.
+    /// The floor that an object stands on or hangs over: the most common level around it. Floors
+    /// often have holes under objects.
     [[nodiscard]] double floorAround(const OrientedBox& object) const {
         Eigen::AlignedBox3d around;
-        for (Vector3d corner : object.corners()) {
-            corner.z() = object.center.z() + kAboveRugs;
-            around.extend(corner);
+        for (const Vector3d& corner : object.corners()) around.extend(corner);
+        const Eigen::Vector2d low = around.min().head<2>().array() - kAround;
+        const Eigen::Vector2d high = around.max().head<2>().array() + kAround;
+        const double step = floors_->grid().cell_m;
+        std::vector<double> heights;
+        for (double x = low.x(); x <= high.x(); x += step) {
+            for (double y = low.y(); y <= high.y(); y += step) {
+                heights.push_back(floors_->below(Vector3d(x, y, object.center.z() + kAboveRugs)));
+            }
         }
-        const Vector3d margin(kAround, kAround, 0.0);
-        return floors_.below(Eigen::AlignedBox3d(around.min() - margin, around.max() + margin))
-            .highest;
+        return commonLevel(std::move(heights), 1.0);
     }
 
     /// A given height above the floor as z in the world.
@@ -370,9 +374,9 @@ class MoveMaker {
     const MappedScene& scene_;
     const MoveRequest& request_;
     const JobContext& job_;
-    FloorHeights floors_;
+    std::optional<FloorHeights> floors_;
     PathTiming timing_;
-    double floor_ = 0.0;  // heights of settings are above it, z in the world, m
+    double floor_ = 0.0;  // z in the world that height settings are measured from, m
     MoveValues values_;
     std::string subject_name_;  // for messages
     std::string note_;          // how obstacles changed the move

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <utility>
 
 namespace dollytrack::planning {
 namespace {
@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 using Positions = std::vector<Vector3d>;
 
 constexpr double kSameLevel = 0.2;      // floors this near to each other are one level, m
-constexpr double kSimilarStorey = 0.6;  // a level with this share of the largest one's columns
+constexpr double kSimilarStorey = 0.6;  // a level with this share of the largest level's columns
 
 /// The rooms in the order of a walk through their doorways, and back where it branches, as points
 /// at one height, from the largest room on. `end` counts the points up to the last new room.
@@ -48,29 +48,38 @@ void visitRooms(const RoomPlan& plan, std::size_t room, double z, std::vector<ch
 
 }  // namespace
 
+double commonLevel(std::vector<double> heights, double least_share) {
+    std::ranges::sort(heights);
+    const auto endOf = [&](std::size_t first) {
+        return static_cast<std::size_t>(
+            std::ranges::upper_bound(heights, heights[first] + kSameLevel) - heights.begin());
+    };
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < heights.size(); ++i) most = std::max(most, endOf(i) - i);
+    std::size_t first = 0;
+    while (static_cast<double>(endOf(first) - first) < least_share * static_cast<double>(most)) {
+        ++first;
+    }
+    return heights[(first + endOf(first)) / 2];
+}
+
 double walkedFloor(const MappedScene& scene, const FloorHeights& floors, double height_m) {
-    std::map<long, std::vector<double>> levels;  // floor heights of the columns, by level
+    // Without the limits of the camera's height, which may exclude this one.
+    const SweptSphere sphere(*scene.rays, *scene.free_space, scene.sphere->radius());
+    std::vector<double> all;
+    std::vector<double> walked;
     const ColumnGrid& grid = floors.grid();
     for (std::size_t column = 0; column < grid.size(); ++column) {
         const Eigen::Vector2d centre = grid.centreOf(column);
         for (const float floor : floors.at(column)) {
             const Vector3d place(centre.x(), centre.y(), floor + height_m);
             const bool stands_on_it = std::abs(floors.below(place) - floor) < 1e-3;
-            if (stands_on_it && scene.sphere->fits(place)) {
-                levels[std::lround(floor / kSameLevel)].push_back(floor);
-            }
+            all.push_back(floor);
+            if (stands_on_it && sphere.fits(place)) walked.push_back(floor);
         }
     }
-    if (levels.empty()) return scene.scene->room_bounds.min().z();
-    std::size_t most = 0;
-    for (const auto& [level, columns] : levels) most = std::max(most, columns.size());
-    auto level = std::ranges::find_if(levels, [&](const auto& one) {
-        return static_cast<double>(one.second.size()) >= kSimilarStorey * static_cast<double>(most);
-    });
-    std::vector<double>& columns = level->second;
-    const auto middle = columns.begin() + static_cast<std::ptrdiff_t>(columns.size() / 2);
-    std::ranges::nth_element(columns, middle);
-    return *middle;
+    if (all.empty()) return scene.scene->room_bounds.min().z();
+    return commonLevel(walked.empty() ? all : walked, kSimilarStorey);
 }
 
 Positions walkedRooms(const MappedScene& scene, double z, const JobContext& job) {

@@ -11,9 +11,14 @@ namespace dollytrack::planning {
 struct MappedScene;
 class FloorHeights;
 
-/// The height (z in the world, m) of the floor on which one walks: the level over which a camera at
-/// `height_m` fits in most columns of the map. Of two storeys of similar size it is the lower one,
-/// as doorways are known only there. The ground of a crawl space below the floor does not count.
+/// The lowest level, within 0.2 m, that has at least `least_share` of the fullest level's heights:
+/// the median of its heights. There must be at least one height.
+[[nodiscard]] double commonLevel(std::vector<double> heights, double least_share);
+
+/// The height (z in the world, m) of the floor on which one walks: the level over which a sphere of
+/// the camera's radius at `height_m` fits in most columns of the map. Of two storeys of similar
+/// size it is the lower one, because RoomPlan finds doorways on the lowest storey only. The ground
+/// of a crawl space below the floor does not count.
 [[nodiscard]] double walkedFloor(const MappedScene& scene, const FloorHeights& floors,
                                  double height_m);
 

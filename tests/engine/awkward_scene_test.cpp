@@ -333,7 +333,8 @@ std::string colladaInOneNode(const std::vector<Eigen::AlignedBox3d>& boxes) {
         instances << "<instance_geometry url=\"#ID" << i << "\"/>";
     }
     return "<?xml version=\"1.0\"?><COLLADA "
-           "xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\"><asset>"
+           "xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+           "version=\"1.4.1\"><asset><authoring_tool>SketchUp 14.0</authoring_tool>"
            "<unit name=\"meter\" meter=\"1\"/><up_axis>Z_UP</up_axis></asset><library_geometries>" +
            geometries.str() +
            "</library_geometries><library_visual_scenes><visual_scene id=\"s\"><node id=\"n\">" +

@@ -47,7 +47,9 @@ Status readGatherArguments(GatherArguments& arguments) {
     std::vector<std::string>& split = arguments.split;
     // An argument after '--split none' that is not a list of shares is a dataset.
     if (split.size() > 1 && !gather::looksLikeShares(split[1])) {
-        if (std::ranges::all_of(split[1], [](char c) { return c >= '0' && c <= '9'; })) {
+        const bool is_number =
+            std::ranges::all_of(split[1], [](char c) { return c >= '0' && c <= '9'; });
+        if (split[0] == "by-room" && is_number && !std::filesystem::is_directory(split[1])) {
             return fail(ErrorCode::Usage, "Give the shares as one argument, as in 80/10/10.",
                         fmt::format("--split {} {}", split[0], split[1]));
         }

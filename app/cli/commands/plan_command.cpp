@@ -242,10 +242,10 @@ Status checkFiles(const PlanArguments& arguments) {
         std::filesystem::path(arguments.picture).extension() != ".png") {
         return fail(ErrorCode::Usage, "The image's name must end in .png.", arguments.picture);
     }
-    if (!arguments.frames.empty() &&
-        std::filesystem::path(arguments.frames).extension() != ".csv") {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (!arguments.frames.empty() && std::ranges::all_of(arguments.frames, is_digit)) {
         return fail(ErrorCode::Usage,
-                    "The table's name must end in .csv; --max-frames limits the number of frames.",
+                    "This is the name of a table; --max-frames limits the number of frames.",
                     "--frames " + arguments.frames);
     }
     for (const std::string& file : {arguments.out, arguments.picture, arguments.frames}) {

@@ -107,7 +107,7 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
 }
 
 /// Where collisions begin, and with which objects: "; they begin at frames 3, 40, ..., with 'sofa',
-/// 'lamp' and 3 more objects"; empty if that is not known.
+/// 'lamp', 'chair' and 3 other objects"; empty if that is not known.
 std::string collisionsText(const Plan& plan, const planning::Pipeline& pipeline, const Scene& scene,
                            double camera_radius_m) {
     constexpr std::size_t kMostNames = 3;

@@ -37,6 +37,9 @@ void InputQueue::attach(GLFWwindow* window) {
     the_queue = this;
     window_ = window;
     glfwSetKeyCallback(window, [](GLFWwindow*, int key, int scancode, int action, int mods) {
+        the_queue->dropped_repeat_ =
+            action == GLFW_REPEAT && !ImGui::GetIO().WantTextInput && the_queue->hasRepeat(key);
+        if (the_queue->dropped_repeat_) return;
         the_queue->events_.push_back({Event::Kind::Key, key, scancode, action, mods});
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow*, int button, int action, int mods) {
@@ -54,10 +57,17 @@ void InputQueue::attach(GLFWwindow* window) {
         events.push_back({Event::Kind::Move, 0, 0, 0, 0, x, y});
     });
     glfwSetCharCallback(window, [](GLFWwindow*, unsigned character) {
+        if (the_queue->dropped_repeat_) return;
         the_queue->events_.push_back({Event::Kind::Text, static_cast<int>(character)});
     });
     glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
     glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
+}
+
+bool InputQueue::hasRepeat(int key) const {
+    return std::ranges::any_of(events_, [&](const Event& event) {
+        return event.kind == Event::Kind::Key && event.code == key && event.action == GLFW_REPEAT;
+    });
 }
 
 void InputQueue::listen() {

@@ -40,9 +40,14 @@ class InputQueue {
     };
 
     [[nodiscard]] double earliest(double now_s) const;
+    /// Whether a repeat of a held key is already waiting. Outside of text fields further ones are
+    /// dropped: they come faster than slow frames are drawn, and a key would go on acting for as
+    /// long after its release as frames are behind.
+    [[nodiscard]] bool hasRepeat(int key) const;
 
     GLFWwindow* window_ = nullptr;
     std::deque<Event> events_;
+    bool dropped_repeat_ = false;    // the last key event was dropped, so its character is, too
     std::array<bool, 5> down_ = {};  // button states delivered so far
     double x_ = 0.0, y_ = 0.0;       // mouse position delivered so far
     bool knows_place_ = false;       // the mouse has moved since the window opened

@@ -53,8 +53,8 @@ class YoloLayout : public Layout {
                 yaml += fmt::format("val: images/{}  # the training images: there is no part val\n",
                                     kParts[0]);
                 log::warn("gather",
-                          "data.yaml has the training images as 'val', because there is no such "
-                          "part; '--split by-room 80/10/10' makes one");
+                          "data.yaml: there is no validation part, so 'val' names the training "
+                          "images; '--split by-room 80/10/10' makes one of several scenes");
             }
         }
         yaml += fmt::format("nc: {}\nnames:\n", input_.classes.classes().size());

@@ -140,7 +140,7 @@ class _ShortSignature(inspect.Signature):
         return text
 
 
-#: Names that other programs use for parameters.
+#: Other programs' names of parameters.
 _SYNONYMS = {"fps": "frame_rate", "fov": "hfov_deg"}
 
 
@@ -237,8 +237,8 @@ def words(value: Union[None, str, Iterable[str]], what: str) -> List[str]:
 
 
 def names(value: Union[None, str, Iterable[str]], what: str) -> List[str]:
-    """The same for names without commas. An empty list is refused, because the engine would take the
-    default."""
+    """A list of names. Empty lists, for which the engine would take the default, and names with
+    commas are refused."""
     listed = words(value, what)
     if value is not None and not listed:
         raise failure(Usage, "The list is empty; give at least one name, or None for the default.",

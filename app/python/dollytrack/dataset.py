@@ -172,7 +172,7 @@ def _why_no_dataset(folder: Path) -> str:
     within = sorted([*folder.glob("*/dataset.json"), *folder.glob("*/dataset/dataset.json")])
     if within:
         return f"The folder contains datasets; give one of them, such as {within[0].parent}."
-    if any(folder.glob(".dollytrack*")):  # the journal of an export
+    if (folder / ".dollytrack-export").exists():  # the journal of an export
         return ("The folder has no dataset.json: its export did not finish. Call export() again with "
                 "the same arguments and resume=True.")
     return ("The folder has no dataset.json, so it is not a dataset; give a folder that export() "

@@ -89,7 +89,8 @@ class Scene:
             found by the object's name.
         structure: (K,) booleans: whether the object is part of the building, not a target; None: objects
             whose class word (their name, if they have none) means wall, floor, ceiling, door, window,
-            roof, ground or sky. An object named floor with another class word is a target.
+            roof, ground or sky. The class word counts first: an object named floor of
+            class table is a target.
         colors: (F, 3) or (K, 3), uint8 sRGB, or floats 0 .. 1.
         file: a new .glb file for the scene, so that projects can refer to it; names and classes are
             written to FILE.glb.objects.json beside it. None: a temporary file, removed when Python
@@ -300,9 +301,9 @@ def _metres(unit_m: Optional[float]) -> Optional[float]:
     except (TypeError, ValueError, OverflowError):
         raise failure(Usage, f"{unit_m!r} is not a number: give metres per unit, such as 0.01 for cm or "
                              "0.0254 for inches.", "unit_m") from None
-    if not 1e-9 <= metres <= 1e9:
-        raise failure(Usage, f"{metres:g} is not in the range 1e-09 .. 1e+09: give metres per unit, "
-                             "such as 0.01 for cm or 0.0254 for inches.", "unit_m")
+    if not 0 < metres < 1e6:
+        raise failure(Usage, f"{metres:g} is not above 0 and below 1e6: give metres per unit, such as "
+                             "0.01 for cm or 0.0254 for inches.", "unit_m")
     return metres
 
 
@@ -310,8 +311,8 @@ def _metres(unit_m: Optional[float]) -> Optional[float]:
                             sections=arguments.JUDGE_SECTIONS,
                             others="judge() does not use the parameter; it takes those of "
                                    f"{', '.join(arguments.JUDGE_SECTIONS)}.",
-                            instead={name: "judge() does not use it; the argument times sets the "
-                                           "times of the frames." for name in ("frame_rate", "fps")})
+                            instead={name: "judge() takes the times of the frames from the "
+                                           "argument times instead." for name in ("frame_rate", "fps")})
 def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = None,
           paths: Optional[npt.ArrayLike] = None, *, progress: Progress = None,
           **parameters: Unpack[JudgeParameters]) -> Dict[str, Any]:

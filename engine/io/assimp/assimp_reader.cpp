@@ -247,7 +247,8 @@ Material readMaterial(const aiMaterial& source, const std::string& format, Textu
     return material;
 }
 
-/// A node with as many different geometries is not one object.
+/// A node of SketchUp's Collada files with at least this many geometries holds a room and is
+/// divided.
 constexpr std::size_t kRoomInOneNode = 20;
 
 struct Placement {
@@ -256,11 +257,12 @@ struct Placement {
     int node = 0;
 };
 
-/// Adds the meshes of a node. With `divide`, each of the geometries of a node that has many becomes
-/// a node of its own, with all its materials: SketchUp writes whole rooms as one Collada node.
+/// Adds the meshes of a node. If `divide` is set and the node has at least kRoomInOneNode
+/// geometries, each becomes a node of its own with all its materials.
 void placeMeshes(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& here, bool divide,
                  RawScene& raw, std::vector<Placement>& placements) {
     const auto own = static_cast<int>(raw.nodes.size()) - 1;
+    const std::size_t first = placements.size();
     std::map<std::string_view, int> node_of_geometry;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         if (node.mMeshes[i] >= scene.mNumMeshes) continue;
@@ -269,13 +271,14 @@ void placeMeshes(const aiScene& scene, const aiNode& node, const Eigen::Affine3d
         placements.push_back({mesh, here, own});
     }
     if (!divide || node_of_geometry.size() < kRoomInOneNode) return;
-    for (auto& [name, index] : node_of_geometry) {
-        index = static_cast<int>(raw.nodes.size());
-        raw.nodes.push_back({cleanText(std::string(name)), own, 0});
-        ++raw.nodes[own].children;
-    }
-    for (Placement& one : placements) {
-        if (one.node == own) one.node = node_of_geometry.at(one.mesh->mName.C_Str());
+    for (Placement& one : std::span(placements).subspan(first)) {
+        int& geometry = node_of_geometry.at(one.mesh->mName.C_Str());
+        if (geometry == own) {
+            geometry = static_cast<int>(raw.nodes.size());
+            raw.nodes.push_back({cleanText(one.mesh->mName.C_Str()), own, 0});
+            ++raw.nodes[own].children;
+        }
+        one.node = geometry;
     }
 }
 
@@ -400,13 +403,15 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
     RawScene raw;
     const std::string ext = extensionOf(path);
     Eigen::Affine3d root = Eigen::Affine3d::Identity();
+    bool by_sketchup = false;
     if (ext == ".fbx") {
         readFbxFrame(scene, raw);
     } else if (ext == ".dae") {
         const ColladaAsset asset = readColladaAsset(files, path);
         raw.file_unit_m = asset.unit_m;
         raw.file_up_axis = asset.up_axis;
-        raw.up_is_certain = asset.by_sketchup;
+        by_sketchup = asset.by_sketchup;
+        raw.up_is_certain = by_sketchup && asset.up_axis == 'z';
         root = undoCollada(asset);
     }
     TextureList textures(scene, raw);
@@ -415,7 +420,7 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
     }
     if (raw.materials.empty()) raw.materials.emplace_back();
 
-    const std::vector<Placement> placements = collectPlacements(scene, root, ext == ".dae", raw);
+    const std::vector<Placement> placements = collectPlacements(scene, root, by_sketchup, raw);
     readMeshes(scene, placements, job, raw);
     return raw;
 }

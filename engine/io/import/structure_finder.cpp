@@ -117,11 +117,11 @@ Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
     }
     const double share = shape.box.half_size.x() * shape.box.half_size.y() * 4.0 /
                          std::max(1e-9, room_size.x() * room_size.y());
-    // A step or platform: thicker than a rug, larger than low table tops, and closed, unlike the
-    // cushions of several chairs.
-    const bool closed = shape.level_area > 0.6 * size.x() * size.y();
+    // A step or platform: thicker than a rug, and larger than low table tops. Its level faces cover
+    // most of its footprint; those of separate cushions in one mesh do not.
+    const bool covers_it = shape.level_area > 0.6 * 4.0 * shape.box.half_size.head<2>().prod();
     const bool platform =
-        flat && size.z() > 0.06 && low < 0.6 && share > 0.12 && closed && !shape.held;
+        flat && size.z() > 0.06 && low < 0.6 && share > 0.12 && covers_it && !shape.held;
     if (platform && shape.bounds.min().z() < room.min().z() + 0.45) return {true, kNyuFloor};
     if (flat && share > 0.3) {
         if (high < 0.3 * room_size.z() && low > 1.8) return {true, kNyuCeiling};
@@ -160,6 +160,7 @@ Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
 /// Whether an object stands around and below this one, as a bed does around its mattress.
 bool isHeld(const Eigen::AlignedBox3d& one, const std::vector<Object>& boxes) {
     constexpr double kStep = 0.1;
+    constexpr double kLowBack = 1.2;  // higher ones are walls around a raised floor
     const double footprint = one.sizes().head<2>().prod();
     return std::ranges::any_of(boxes, [&](const Object& other) {
         const Eigen::Vector3d& half = other.box.half_size;
@@ -168,7 +169,8 @@ bool isHeld(const Eigen::AlignedBox3d& one, const std::vector<Object>& boxes) {
         const bool around = (apart + 0.45 * one.sizes().head<2>().array() < 0.0).all();
         return around && 4.0 * half.head<2>().prod() < 2.0 * footprint &&
                other.box.center.z() - half.z() < one.min().z() - kStep &&
-               other.box.center.z() + half.z() > one.min().z();
+               other.box.center.z() + half.z() > one.min().z() &&
+               other.box.center.z() + half.z() < one.max().z() + kLowBack && !other.structure;
     });
 }
 

@@ -18,7 +18,8 @@ struct FrameChoice {
     std::string unit_source;
     UpAxis up_axis = 'y';
     std::string up_source;
-    bool up_is_certain = false;  // given, or of an exporter that always writes models upright
+    bool up_is_certain =
+        false;  // the user gave the axis, or the exporter always writes it correctly
     std::optional<UpAxis>
         likelier_up;         // a more plausible axis, if the file's axis is doubtful but was kept
     std::string unit_doubt;  // reason, without a full stop; empty if the unit is plausible

@@ -88,7 +88,7 @@ struct RawScene {
     RepairCounts repairs;
     std::optional<double> file_unit_m;  // from metadata
     UpAxis file_up_axis;                // unknown if the format does not define it
-    bool up_is_certain = false;         // whether the exporter always writes its models upright
+    bool up_is_certain = false;         // the exporter always writes the axis correctly
     /// Transform back to the file's axes and unit, if the reader rotated or moved the scene.
     Eigen::Affine3d file_from_parts = Eigen::Affine3d::Identity();
     std::vector<std::string> notes;

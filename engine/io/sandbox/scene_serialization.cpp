@@ -111,8 +111,8 @@ void repairMembers(Archive& archive, T& repairs) {
 template <class Archive, class T>
 void sceneMembers(Archive& archive, T& scene) {
     auto& [raw, set] = scene;
-    auto& [nodes, parts, objects, materials, requests, repairs, unit_m, up_axis, up_is_certain, file_from_parts,
-           notes, warnings] = raw;
+    auto& [nodes, parts, objects, materials, requests, repairs, unit_m, up_axis, up_is_certain,
+           file_from_parts, notes, warnings] = raw;
     auto& [textures, missing, broken, found] = set;
     const auto text = [](Archive& to, auto& line) { to.text(line); };
     archive.list(nodes, 16, [](Archive& to, auto& node) { nodeMembers(to, node); });

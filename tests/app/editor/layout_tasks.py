@@ -163,8 +163,8 @@ class Layout(Task):
                 fault(f"{name} leaves the window: {left, top, right, bottom}")
         cut = state["cut_text"]
         if cut:  # a tooltip whose text has just changed gets its size in the next frame
-            later = self.editor.state()["cut_text"]
-            cut = [line for line in cut if line in later]
+            later = {line[0] for line in self.editor.state()["cut_text"]}
+            cut = [line for line in cut if line[0] in later]
         for text, left, top, right, bottom in cut:
             rest = text.replace(" ", "")
             for label in DOTTED:

@@ -242,6 +242,22 @@ class Looking(Task):
         self.editor.release("right")
         self.assertGreater(math.dist(self.editor.state()["camera"]["pivot"], start["pivot"]), 0.05)
 
+    def test_a_held_key_stops_with_its_release(self):
+        self.start_room()
+        x, y = self.editor.middle("viewport")
+        self.editor.point((x, y - 60))
+        self.editor.press("right")
+        start = self.editor.state()["camera"]
+        with self.editor.stuck():
+            self.editor.hold("w")
+            time.sleep(2)  # the keyboard repeats the key about 40 times
+            self.editor.let_go("w")
+        flown = self.editor.state()["camera"]
+        self.editor.release("right")
+        # At most 0.2 m in each of the few frames between press and release.
+        self.assertGreater(math.dist(flown["pivot"], start["pivot"]), 0)
+        self.assertLess(math.dist(flown["pivot"], start["pivot"]), 1.0)
+
     def test_axis_views_and_parallel_projection(self):
         self.start_room()
         state = self.editor.key("7")

@@ -125,7 +125,7 @@ class Gather(GatherCase):
                     self.assertNotIn(ending, samples[key])
                     samples[key][ending] = tar.extractfile(member).read()
         self.assertEqual(set(samples), set(frames))
-        self.assertIn("Pixels of `semantic` images have the id", (out / "README.md").read_text())
+        self.assertIn("Pixels of `semantic` images have the *id*", (out / "README.md").read_text())
         for key, sample in samples.items():
             folder, index = frames[key]
             self.assertEqual(set(sample), {"png", "depth.png", "instance.png", "semantic.png", "json"})
