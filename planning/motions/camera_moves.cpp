@@ -226,7 +226,8 @@ class MoveMaker {
         for (const Vector3d& corner : object.corners()) around.extend(corner);
         const Eigen::Vector2d low = around.min().head<2>().array() - kAround;
         const Eigen::Vector2d high = around.max().head<2>().array() + kAround;
-        const double step = floors_->grid().cell_m;
+        constexpr double kMostSteps = 200.0;  // along x or y, for an object as large as a terrain
+        const double step = std::max(floors_->grid().cell_m, (high - low).maxCoeff() / kMostSteps);
         std::vector<double> heights;
         for (double x = low.x(); x <= high.x(); x += step) {
             for (double y = low.y(); y <= high.y(); y += step) {
