@@ -374,7 +374,7 @@ class EngineTest(RoomCase):
     def test_judge_refuses_parameters_that_it_does_not_use(self):
         poses = self.plan.poses
         for name, value in (("frame_rate", 2), ("fps", 2)):
-            with self.assertRaisesRegex(dt.Usage, f"^{name}: .*times sets"):
+            with self.assertRaisesRegex(dt.Usage, f"^{name}: .*argument times"):
                 dt.judge(self.scene, poses, **{name: value})
         for name, value in (("fill", 0.5), ("max_frames", 3), ("seed", 2), ("exposure_ev", 1)):
             with self.assertRaisesRegex(dt.Usage, f"^{name}: .*body, camera, free_space"):

@@ -33,7 +33,7 @@ WRONG = {
     "plan.export('x', gl='cuda')": "Literal['cuda']",
     "plan.render('color')": "Literal['color']",
     "dt.load('x', up_axis='up')": "Literal['up']",
-    "dt.Dataset('x').torch(boxes='xywh')": "xywh",
+    "dt.Dataset('x').torch(boxes='xywh')": "No overload variant",
 }
 #: Lines that are right.
 RIGHT = ("import numpy as np", "plan.scene.plan(fill=np.float32(0.5), max_frames=np.int64(3), loop=True)",
