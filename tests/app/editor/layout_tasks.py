@@ -122,7 +122,9 @@ class Layout(Task):
             self.faults.append(f"{size} {what}: it scrolls without end")
 
     def places(self, state):
-        return {name: item for name, item in state["items"].items() if not name.startswith(MARKS)}
+        """The rectangles that scrolling moves; those of the status line change with its progress."""
+        return {name: item for name, item in state["items"].items()
+                if not name.startswith((*MARKS, "status."))}
 
     def places_in(self, tab, items):
         """Where the mouse scrolls the panel; the export form has three parts."""
