@@ -15,10 +15,10 @@ class FloorHeights;
 /// the median of its heights. There must be at least one height.
 [[nodiscard]] double commonLevel(std::vector<double> heights, double least_share);
 
-/// The height (z in the world, m) of the floor on which one walks: the level over which a sphere of
-/// the camera's radius at `height_m` fits in most columns of the map. Of two storeys of similar
-/// size it is the lower one, because RoomPlan finds doorways on the lowest storey only. The ground
-/// of a crawl space below the floor does not count.
+/// The floor on which one walks, z in the world, m: the level at which a sphere of the camera's
+/// radius, `height_m` above the floor, fits in the largest number of map columns. If two storeys
+/// are of similar size, it is that of the lower one, because RoomPlan finds doorways on the lowest
+/// storey only. Ground under a floor, as in a crawl space, is not counted.
 [[nodiscard]] double walkedFloor(const MappedScene& scene, const FloorHeights& floors,
                                  double height_m);
 

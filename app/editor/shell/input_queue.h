@@ -40,9 +40,9 @@ class InputQueue {
     };
 
     [[nodiscard]] double earliest(double now_s) const;
-    /// Whether a repeat of a held key is already waiting. Outside of text fields further ones are
-    /// dropped: they come faster than slow frames are drawn, and a key would go on acting for as
-    /// long after its release as frames are behind.
+    /// Whether a repeat of this key waits for delivery. Then newer ones are dropped, unless a text
+    /// field has the keyboard: between slow frames they would pile up, and the key would go on
+    /// acting for seconds after its release.
     [[nodiscard]] bool hasRepeat(int key) const;
 
     GLFWwindow* window_ = nullptr;
