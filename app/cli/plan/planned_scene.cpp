@@ -10,7 +10,6 @@
 #include "planning/timing/clip.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -107,7 +106,7 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
 }
 
 /// Where collisions begin, and with which objects: "; they begin at frames 3, 40, ..., with 'sofa',
-/// 'lamp', 'chair' and 3 other objects"; empty if that is not known.
+/// 'lamp', 'chair' and 3 more"; empty if that is not known.
 std::string collisionsText(const Plan& plan, const planning::Pipeline& pipeline, const Scene& scene,
                            double camera_radius_m) {
     constexpr std::size_t kMostNames = 3;
@@ -120,14 +119,8 @@ std::string collisionsText(const Plan& plan, const planning::Pipeline& pipeline,
         if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
     }
     if (begins.empty()) return {};
-    const std::size_t shown = std::min(names.size(), kMostNames);
     std::string text = "; they begin at " + frameRanges(begins);
-    if (shown > 0) {
-        text += fmt::format(", with {}", fmt::join(names.begin(), names.begin() + shown, ", "));
-    }
-    if (names.size() == shown + 1) text += " and another object";
-    if (names.size() > shown + 1)
-        text += fmt::format(" and {} other objects", names.size() - shown);
+    if (!names.empty()) text += ", with " + listOf(names, kMostNames);
     return text;
 }
 
