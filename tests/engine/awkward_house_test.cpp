@@ -110,6 +110,43 @@ TEST(AwkwardHouse, FacesForBothSidesAreOneThing) {
     EXPECT_FALSE(says(scene.report.notes, "point inwards"));
 }
 
+/// As SketchUp exports faces that are painted differently on their two sides.
+TEST(AwkwardHouse, SidesOfAnotherMaterialLieOnTheirSide) {
+    const TempFolder folder;
+    static_cast<void>(
+        folder.write("room.mtl", "newmtl outside\nKd 1 0 0\nnewmtl inside\nKd 0 0 1\n"));
+    const auto painted = [](const std::string& face) {
+        const std::string both = bothSides(face);
+        std::string text;
+        std::istringstream lines(both);
+        for (std::string line; std::getline(lines, line);) {
+            text += (text.empty() ? "" : "\n") + ("usemtl outside\n" + line);
+            std::getline(lines, line);
+            text += "\nusemtl inside\n" + line;
+        }
+        return text;
+    };
+    const auto scene = importScene(
+        folder.write("room.obj", "mtllib room.mtl\n" + withFaces(furnished().text(), painted)));
+    ASSERT_TRUE(scene.has_value());
+    EXPECT_TRUE(says(scene->report.notes, "10 objects have faces with another material"));
+    const Scene one_sided = importedText(furnished().text());
+    ASSERT_NE(find(*scene, "sofa"), nullptr);
+    const Object& sofa = *find(*scene, "sofa");
+    const OrientedBox& box = find(one_sided, "sofa")->box;
+    for (std::uint32_t i = 0; i < sofa.triangle_count; ++i) {
+        const std::uint32_t triangle = sofa.first_triangle + i;
+        const bool outside = scene->materials[scene->triangle_material[triangle]].name == "outside";
+        for (const std::uint32_t vertex : scene->triangles[triangle]) {
+            const Eigen::Vector3d p = scene->positions[vertex].cast<double>();
+            // Each corner of a box is moved by 0.25 mm along its face's normal.
+            const Eigen::Vector3d past = (p - box.center).cwiseAbs() - box.half_size;
+            EXPECT_NEAR(outside ? past.maxCoeff() : past.minCoeff(), outside ? 2.5e-4 : -2.5e-4,
+                        1e-5);
+        }
+    }
+}
+
 TEST(AwkwardHouse, ARoomInOneMeshIsTakenApart) {
     std::string text;
     std::istringstream lines(furnished().text());

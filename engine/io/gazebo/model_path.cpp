@@ -100,6 +100,22 @@ std::vector<fs::path> ModelPath::rootsFor(const fs::path& folder) const {
     return roots;
 }
 
+std::vector<fs::path> ModelPath::filesIn(const fs::path& folder, const std::string& uri) const {
+    if (isWebAddress(uri)) return {};
+    std::string name = percentDecoded(uri);
+    for (const char* scheme : {"package://", "model://", "file://"}) takeScheme(name, scheme);
+    std::vector<fs::path> files;
+    for (const fs::path& root : rootsFor(folder)) {
+        const fs::path around = absoluteNormal(root / fs::path(name).relative_path());
+        const Result<std::vector<std::string>> names = files_.namesIn(around);
+        if (!names || names->empty()) continue;
+        for (const std::string& one : *names) files.push_back(around / one);
+        return files;
+    }
+    if (const auto file = find(folder, uri)) files.push_back(*file);
+    return files;
+}
+
 ModelPath::Absence ModelPath::absenceOf(const fs::path& folder, const std::string& uri) const {
     if (isWebAddress(uri)) return Absence::NoFolder;
     std::string name = percentDecoded(uri);

@@ -21,6 +21,9 @@ class ModelPath {
     /// The file that `uri`, written in a file of `folder`, refers to; nullopt if it is not found.
     [[nodiscard]] std::optional<std::filesystem::path> find(const std::filesystem::path& folder,
                                                             const std::string& uri) const;
+    /// The files in the folder that `uri` refers to, or the file itself; empty if it is missing.
+    [[nodiscard]] std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder,
+                                                             const std::string& uri) const;
     /// Whether this file or folder may be read.
     [[nodiscard]] bool reaches(const std::filesystem::path& path) const {
         return files_.reaches(path);

@@ -51,7 +51,7 @@ std::optional<Eigen::Vector4f> visualColor(const pugi::xml_node& visual) {
     return color;
 }
 
-std::string unreadScript(const pugi::xml_node& visual) {
+std::string scriptName(const pugi::xml_node& visual) {
     std::string name = textOf(visual.child("material").child("script").child("name"));
     return namedColor(name) ? std::string() : name;
 }

@@ -12,9 +12,9 @@ namespace dollytrack::gazebo {
 /// common materials by name, otherwise ambient; nullopt without these.
 [[nodiscard]] std::optional<Eigen::Vector4f> visualColor(const pugi::xml_node& visual);
 
-/// The name of a <visual>'s material script that is not one of Gazebo's common materials, so that
-/// its colours and textures are not read; empty: none.
-[[nodiscard]] std::string unreadScript(const pugi::xml_node& visual);
+/// The name of the material in a <visual>'s <script>; empty if it has none, or one of Gazebo's
+/// common materials, whose colours are known.
+[[nodiscard]] std::string scriptName(const pugi::xml_node& visual);
 
 /// 1 minus the <transparency> of a <visual>.
 [[nodiscard]] float visualOpacity(const pugi::xml_node& visual);

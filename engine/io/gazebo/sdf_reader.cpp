@@ -2,6 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/io/gazebo/link_xml.h"
+#include "engine/io/gazebo/material_script.h"
 #include "engine/io/gazebo/sdf_frames.h"
 #include "engine/io/gazebo/sdf_material.h"
 #include "engine/io/gazebo/sdf_population.h"
@@ -16,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -84,12 +86,18 @@ class SdfReader {
             std::vector<Visual>& into = objects[at->second].visuals;
             into.insert(into.end(), links_[i].visuals.begin(), links_[i].visuals.end());
         }
+        std::map<std::string, std::set<std::string>> models_with;  // by the link's name
         for (std::size_t i = 0; i < objects.size(); ++i) {
+            models_with[objects[i].name].insert(scopes[i]->name);
+        }
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            std::string& name = objects[i].name;
             const std::string& model = scopes[i]->name;
+            const bool says_little = isPlainLinkName(name) || models_with[name].size() > 1;
             if (objects_in[scopes[i]] == 1) {
-                objects[i].name = model;
-            } else if (!model.empty() && isPlainLinkName(objects[i].name)) {
-                objects[i].name = fmt::format("{}::{}", model, objects[i].name);
+                name = model;
+            } else if (!model.empty() && says_little) {
+                name = fmt::format("{}::{}", model, name);
             }
         }
         return objects;
@@ -415,8 +423,11 @@ class SdfReader {
         visual.color = visualColor(node);
         visual.opacity = visualOpacity(node);
         if (!(visual.opacity > 0.0F)) return {};
-        if (std::string script = unreadScript(node); !script.empty()) {
-            left_out_.scripts.push_back(cleanText(script));
+        if (const std::string name = scriptName(node); !name.empty()) {
+            const pugi::xml_node script = node.child("material").child("script");
+            if (!scripts_.apply(script, visual.folder, visual)) {
+                left_out_.scripts.push_back(cleanText(name));
+            }
         }
         const pugi::xml_node geometry = node.child("geometry");
         const Result<bool> drawn = readShape(geometry, object.name, scope, visual);
@@ -431,6 +442,7 @@ class SdfReader {
 
     const ModelPath& files_;
     const JobContext& job_;
+    MaterialScripts scripts_{files_};
     Scope scene_;
     std::vector<LinkObject> links_;
     std::vector<const Scope*> scope_of_link_;

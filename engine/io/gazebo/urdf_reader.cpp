@@ -25,12 +25,13 @@ constexpr std::size_t kMostLinks = 100'000;
 
 class UrdfReader {
   public:
-    UrdfReader(const fs::path& path, const XmlFile& xml, const JobContext& job)
-        : path_(path), xml_(xml), job_(job) {}
+    UrdfReader(const fs::path& path, const XmlFile& xml, const ModelPath& files,
+               const JobContext& job)
+        : path_(path), xml_(xml), files_(files), job_(job) {}
 
     Result<std::vector<LinkObject>> read(const pugi::xml_node& robot) {
         for (const pugi::xml_node& material : robot.children("material")) {
-            static_cast<void>(colorOfMaterial(material));
+            static_cast<void>(surfaceOf(material));
         }
         for (const pugi::xml_node& link : robot.children("link")) {
             if (links_.size() >= kMostLinks) return tooMany("links", link);
@@ -59,7 +60,6 @@ class UrdfReader {
             placed.push_back(std::move(one));
         }
         doubtCutOff();
-        doubtTextures();
         return objectsOf(std::move(placed), cleanText(robot.attribute("name").value()));
     }
 
@@ -71,6 +71,12 @@ class UrdfReader {
     struct Placed {
         std::string name;
         std::vector<Visual> visuals;
+    };
+
+    /// The colour and texture of a <material>.
+    struct Surface {
+        std::optional<Eigen::Vector4f> color;
+        fs::path texture;  // empty: none
     };
 
     [[nodiscard]] tl::unexpected<Error> wrong(std::string message,
@@ -139,16 +145,6 @@ class UrdfReader {
                         counted(names.size(), "link is", "links are"), listOf(names)));
     }
 
-    void doubtTextures() {
-        if (textures_.empty()) return;
-        std::vector<std::string> names;
-        for (const std::string& name : textures_) names.push_back(cleanText(name));
-        doubts_.push_back(fmt::format(
-            "textures of URDF materials are not read, so that these shapes have one colour; use "
-            "mesh files that contain the textures: {}",
-            listOf(names)));
-    }
-
     static bool isMovable(const pugi::xml_node& joint) {
         const std::string_view type = joint.attribute("type").value();
         return type == "revolute" || type == "continuous" || type == "prismatic";
@@ -210,17 +206,25 @@ class UrdfReader {
         return objects;
     }
 
-    /// The colour of a <material>: its own, otherwise that of the first material of its name.
-    std::optional<Eigen::Vector4f> colorOfMaterial(const pugi::xml_node& material) {
+    /// A <material>: its own colour and texture, otherwise those of the first of its name.
+    Surface surfaceOf(const pugi::xml_node& material) {
         const std::string name = material.attribute("name").value();
-        if (const pugi::xml_node texture = material.child("texture")) {
-            textures_.insert(texture.attribute("filename").value());
+        Surface own;
+        own.color = colorOf(material.child("color").attribute("rgba").value());
+        const std::string texture = material.child("texture").attribute("filename").value();
+        if (!texture.empty()) {
+            // A missing picture is searched for beside the file again, and counted as missing.
+            const fs::path folder = absoluteNormal(path_).parent_path();
+            own.texture =
+                files_.find(folder, texture).value_or(folder / fs::path(texture).filename());
         }
-        const auto own = colorOf(material.child("color").attribute("rgba").value());
         if (name.empty()) return own;
-        if (own) colors_.try_emplace(name, *own);
-        const auto known = colors_.find(name);
-        return own || known == colors_.end() ? own : std::optional(known->second);
+        if (!own.color && own.texture.empty()) {
+            const auto known = surfaces_.find(name);
+            return known == surfaces_.end() ? own : known->second;
+        }
+        surfaces_.try_emplace(name, own);
+        return own;
     }
 
     Result<Eigen::Affine3d> originOf(const pugi::xml_node& node) const {
@@ -275,7 +279,9 @@ class UrdfReader {
         Visual visual;
         visual.folder = path_.parent_path();
         visual.scene_from_visual = link * *origin;
-        visual.color = colorOfMaterial(node.child("material"));
+        Surface surface = surfaceOf(node.child("material"));
+        visual.color = surface.color;
+        visual.texture = std::move(surface.texture);
 
         const pugi::xml_node geometry = node.child("geometry");
         const auto number = [](const pugi::xml_node& shape, const char* name) {
@@ -319,14 +325,14 @@ class UrdfReader {
 
     const fs::path& path_;
     const XmlFile& xml_;
+    const ModelPath& files_;
     const JobContext& job_;
     std::map<std::string, pugi::xml_node> links_;
     std::map<std::string, pugi::xml_node> joints_;  // by child link
     std::set<std::string> cut_off_;                 // links below a missing parent
     std::map<std::string, Owner> owners_;           // by link
     std::map<std::string, Eigen::Affine3d> poses_;  // by link, in the root's frame
-    std::map<std::string, Eigen::Vector4f> colors_;
-    std::set<std::string> textures_;  // files that materials name
+    std::map<std::string, Surface> surfaces_;       // by the material's name
     UnknownShapes unknown_shapes_;
     std::vector<std::string> doubts_;
     int hints_ = 0;  // number of searches for similar names
@@ -344,13 +350,14 @@ Result<RawScene> readUrdfModel(const fs::path& path, const ReachableFiles& files
                     "the XML has no <robot>, so it is not a URDF file; give a robot's file",
                     path.string());
     }
-    UrdfReader reader(path, *xml, job);
+    const ModelPath model_path(files);
+    UrdfReader reader(path, *xml, model_path, job);
     const Result<std::vector<LinkObject>> links = reader.read(robot);
     if (!links) return tl::unexpected(links.error());
     OmittedParts left_out;
     left_out.shapes = reader.unknownShapes();
     left_out.doubts = reader.doubts();
-    return sceneOfLinks(*links, ModelPath(files), left_out, path.string(), job);
+    return sceneOfLinks(*links, model_path, left_out, path.string(), job);
 }
 
 Result<RawScene> readUrdf(const fs::path& path, const ImportOptions& options,

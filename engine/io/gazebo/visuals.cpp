@@ -207,21 +207,46 @@ class SceneOfLinks {
         return {};
     }
 
-    /// Adds parts to an object, with the visual's colour and opacity if it has them.
+    /// Adds parts to an object, with the visual's colour, texture and opacity if it has them.
     void append(const std::vector<std::size_t>& parts, const Visual& visual, SourceObject& object) {
         object.parts.insert(object.parts.end(), parts.begin(), parts.end());
-        if (!visual.color && visual.opacity >= 1.0F) return;
+        if (!visual.color && visual.texture.empty() && visual.opacity >= 1.0F) return;
         for (const std::size_t part : parts) {
             scene_.parts[part].material = painted(scene_.parts[part].material, visual);
+            if (visual.texture.empty() || visual.texture_scale.isOnes()) continue;
+            for (Eigen::Vector2f& uv : scene_.parts[part].uvs) {
+                uv = 0.5F + (uv.array() - 0.5F) / visual.texture_scale.array();
+            }
         }
     }
 
-    /// The index of a copy of a material with the visual's colour and opacity; other visuals of the
-    /// same mesh keep the original. Textured materials keep their texture and colour.
+    /// The index of the texture in this file.
+    int textureOf(const fs::path& file) {
+        const auto [at, is_new] =
+            textures_.try_emplace(file, static_cast<int>(scene_.textures.size()));
+        if (is_new) {
+            TextureRequest request;
+            request.name = file.filename().string();
+            request.folder = file.parent_path();
+            request.only_there = true;
+            scene_.textures.push_back(std::move(request));
+        }
+        return at->second;
+    }
+
+    /// The index of a copy of a material with the visual's colour, texture and opacity; other
+    /// visuals of the same mesh keep the original. Materials that the mesh has textured keep their
+    /// colour, and their texture unless the visual has one.
     std::uint32_t painted(std::uint32_t number, const Visual& visual) {
         Material material = scene_.materials[number];
-        const bool textured = material.texture >= 0;
+        const bool textured = material.texture >= 0 && visual.texture.empty();
         if (textured && visual.opacity >= 1.0F) return number;
+        if (!visual.texture.empty()) {
+            material = Material{};
+            material.name = cleanText(visual.texture.stem().string());
+            material.base_color.setOnes();
+            material.texture = textureOf(visual.texture);
+        }
         if (visual.color && !textured) {
             material.base_color = visual.color->head<3>().cwiseMax(0.0F).cwiseMin(1.0F);
             material.opacity = (*visual.color)[3];
@@ -229,8 +254,8 @@ class SceneOfLinks {
         material.opacity = std::clamp(material.opacity * visual.opacity, 0.0F, 1.0F);
         const Eigen::Vector3f& color = material.base_color;
         const auto next = static_cast<std::uint32_t>(scene_.materials.size());
-        const auto [at, is_new] =
-            painted_.try_emplace({number, color[0], color[1], color[2], material.opacity}, next);
+        const auto [at, is_new] = painted_.try_emplace(
+            {number, color[0], color[1], color[2], material.opacity, material.texture}, next);
         if (is_new) scene_.materials.push_back(std::move(material));
         return at->second;
     }
@@ -327,10 +352,10 @@ class SceneOfLinks {
             "objects lack all of their meshes and are left out");
         say(incomplete_, "object lacks some of its meshes", "objects lack some of their meshes");
         say(left_out_.scripts,
-            "material script is not read, so its textures are missing; use a mesh file that "
-            "contains the material",
-            "material scripts are not read, so their textures are missing; use mesh files that "
-            "contain the materials");
+            "material is in no script that was found, so its colour and texture are missing; give "
+            "the folder around the models or scripts with --models",
+            "materials are in no script that was found, so their colours and textures are missing; "
+            "give the folder around the models or scripts with --models");
         say(unreadable_, "mesh cannot be read and is left out; export it again",
             "meshes cannot be read and are left out; export them again");
         say(unmatched_, "submesh is not in its mesh and is left out; correct its name",
@@ -365,8 +390,9 @@ class SceneOfLinks {
     std::map<std::size_t, ModelPlacement> placements_;  // by index in the library
     std::map<Visual::Shape, Shape> shapes_;
     std::map<std::size_t, Submeshes> submeshes_;
-    /// Indices of materials by the original material's index, colour and opacity.
-    std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> painted_;
+    /// Indices of materials by the original material's index, colour, opacity and texture.
+    std::map<std::tuple<std::uint32_t, float, float, float, float, int>, std::uint32_t> painted_;
+    std::map<fs::path, int> textures_;                 // of visuals: their indices by file
     std::map<std::size_t, std::string> name_in_mesh_;  // the node's name in the file, by part
     OmittedParts left_out_;                            // models include meshes that were not found
     std::vector<std::string> absent_;                  // meshes that a model's folder lacks

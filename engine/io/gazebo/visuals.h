@@ -28,7 +28,9 @@ struct Visual {
     std::filesystem::path folder;  // of the file that refers to the mesh
     Eigen::Affine3d scene_from_visual = Eigen::Affine3d::Identity();
     std::optional<Eigen::Vector4f> color;  // linear red, green, blue; opacity
-    float opacity = 1.0F;                  // above 0; multiplies that of the colour or the mesh
+    std::filesystem::path texture;         // replaces those of the mesh; empty: none
+    Eigen::Vector2f texture_scale = Eigen::Vector2f::Ones();  // of the picture; 2: twice as large
+    float opacity = 1.0F;  // above 0; multiplies that of the colour or the mesh
 };
 
 /// Number of visuals with an unsupported shape, by element name.
@@ -38,7 +40,7 @@ using UnknownShapes = std::map<std::string, std::size_t>;
 struct OmittedParts {
     std::vector<std::string> models;    // that were not found
     std::vector<std::string> includes;  // names of the <include>s of these models
-    std::vector<std::string> scripts;   // names of material scripts that are not read
+    std::vector<std::string> scripts;   // names of materials whose scripts were not found
     UnknownShapes shapes;
     std::vector<std::string> doubts;  // warnings, each with file and line
 };

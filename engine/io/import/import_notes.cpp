@@ -129,6 +129,13 @@ void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, Impo
     }
 }
 
+void noteSeparatedSides(std::size_t objects, ImportReport& report) {
+    if (objects == 0) return;
+    report.notes.push_back(
+        counted(objects, "object has faces with another material on each side, drawn 0.5 mm apart",
+                "objects have faces with another material on each side, drawn 0.5 mm apart"));
+}
+
 void noteFarAway(const RawScene& raw, double unit_m, ImportReport& report) {
     constexpr double kCoarsest_m = 1e-3;
     Eigen::AlignedBox3d box;

@@ -35,6 +35,9 @@ void noteMaterialSplit(const MaterialSplit& found, std::optional<std::size_t> ob
 /// `proxies` are the names of collision meshes, `twice` is the number of duplicate meshes.
 void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, ImportReport& report);
 
+/// `objects`: how many have faces that separateSides() moved apart.
+void noteSeparatedSides(std::size_t objects, ImportReport& report);
+
 /// Warns if the scene is so far from the origin (about 8 km) that its single-precision coordinates
 /// have a resolution of more than a millimetre.
 void noteFarAway(const RawScene& raw, double unit_m, ImportReport& report);

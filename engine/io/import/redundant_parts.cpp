@@ -7,6 +7,7 @@
 #include <cstring>
 #include <map>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace dollytrack {
@@ -57,6 +58,66 @@ bool sameShape(const MeshPart& a, const MeshPart& b) {
                 std::memcmp(one.data(), other.data(), one.size() * sizeof(one[0])) == 0);
     };
     return same(a.positions, b.positions) && same(a.triangles, b.triangles);
+}
+
+/// One of the faces that may coincide.
+struct Side {
+    std::array<std::array<float, 3>, 3> corners;  // in ascending order
+    bool even = true;                             // whether that order keeps the face's direction
+    std::size_t part = 0;
+    std::size_t triangle = 0;
+};
+
+Side sideOf(const MeshPart& mesh, std::size_t part, std::size_t triangle) {
+    Side side;
+    side.part = part;
+    side.triangle = triangle;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector3f& p = mesh.positions[mesh.triangles[triangle][i]];
+        side.corners[i] = {p.x() + 0.0F, p.y() + 0.0F, p.z() + 0.0F};  // -0 becomes 0
+    }
+    const auto order = [&](std::size_t a, std::size_t b) {
+        if (!(side.corners[b] < side.corners[a])) return;
+        std::swap(side.corners[a], side.corners[b]);
+        side.even = !side.even;
+    };
+    order(0, 1);
+    order(1, 2);
+    order(0, 1);
+    return side;
+}
+
+/// The faces of a draft that coincide with one of another material that faces the other way.
+std::vector<Side> findSides(const ObjectDraft& draft, const std::vector<MeshPart>& parts) {
+    std::vector<Side> sides;
+    for (const std::size_t part : draft.parts) {
+        // Only parts whose boxes meet another material's can share faces with it.
+        const bool meets = std::ranges::any_of(draft.parts, [&](std::size_t other) {
+            return parts[other].material != parts[part].material &&
+                   parts[other].bounds.intersects(parts[part].bounds);
+        });
+        if (!meets) continue;
+        for (std::size_t i = 0; i < parts[part].triangles.size(); ++i) {
+            sides.push_back(sideOf(parts[part], part, i));
+        }
+    }
+    std::ranges::sort(sides, {}, [](const Side& side) {
+        return std::tie(side.corners, side.part, side.triangle);
+    });
+    std::vector<Side> opposite;
+    for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
+        while (end < sides.size() && sides[end].corners == sides[first].corners) ++end;
+        for (std::size_t i = first; i < end; ++i) {
+            const bool faced = std::any_of(
+                sides.begin() + static_cast<std::ptrdiff_t>(first),
+                sides.begin() + static_cast<std::ptrdiff_t>(end), [&](const Side& other) {
+                    return other.even != sides[i].even &&
+                           parts[other.part].material != parts[sides[i].part].material;
+                });
+            if (faced) opposite.push_back(sides[i]);
+        }
+    }
+    return opposite;
 }
 
 }  // namespace
@@ -127,6 +188,34 @@ std::size_t dropDuplicates(RawScene& raw) {
         emptyPart(part);
     }
     return dropped;
+}
+
+std::size_t separateSides(const std::vector<ObjectDraft>& drafts, std::vector<MeshPart>& parts) {
+    constexpr float kShift_m = 2.5e-4F;
+    std::size_t separated = 0;
+    for (const ObjectDraft& draft : drafts) {
+        const std::vector<Side> sides = findSides(draft, parts);
+        if (!sides.empty()) ++separated;
+        std::map<std::pair<std::size_t, std::uint32_t>, Eigen::Vector3f> facing;  // by vertex
+        for (const Side& side : sides) {
+            const MeshPart& part = parts[side.part];
+            const Triangle& t = part.triangles[side.triangle];
+            const Eigen::Vector3f& a = part.positions[t[0]];
+            const Eigen::Vector3f across =
+                (part.positions[t[1]] - a).cross(part.positions[t[2]] - a);
+            for (const std::uint32_t vertex : t) {
+                facing.try_emplace({side.part, vertex}, Eigen::Vector3f::Zero()).first->second +=
+                    across;
+            }
+        }
+        for (const auto& [vertex, direction] : facing) {
+            MeshPart& part = parts[vertex.first];
+            Eigen::Vector3f& position = part.positions[vertex.second];
+            position += kShift_m * direction.stableNormalized();
+            part.bounds.extend(position);
+        }
+    }
+    return separated;
 }
 
 }  // namespace dollytrack

@@ -292,6 +292,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     }
     drafts.insert(drafts.begin(), std::make_move_iterator(annotated.drafts.begin()),
                   std::make_move_iterator(annotated.drafts.end()));
+    noteSeparatedSides(separateSides(drafts, raw.parts), scene.report);
     job.report(0.7);
 
     TextureSet& textures = read->scene.textures;

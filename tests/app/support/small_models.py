@@ -351,7 +351,8 @@ def world():
 <pose>0 0 0.7 0 0 0</pose><geometry><box><size>1 0.6 0.04</size></box></geometry>
 <material><diffuse>0.5 0.3 0.2 1</diffuse></material></visual></link>
 <link name="foot"><visual name="v"><geometry><cylinder><radius>0.1</radius><length>1.4</length>
-</cylinder></geometry></visual></link>
+</cylinder></geometry><material><script><uri>model://hall/materials/scripts</uri><name>oak</name>
+</script></material></visual></link>
 <joint name="screw" type="fixed"><parent>top</parent><child>foot</child></joint></model>
 </world></sdf>"""
 
@@ -359,6 +360,14 @@ def world():
 def hall():
     return b"""<sdf version="1.6"><model name="hall"><link name="link"><visual name="v"><geometry><mesh>
 <uri>model://hall/meshes/room.obj</uri><scale>1 1 1</scale></mesh></geometry></visual></link></model></sdf>"""
+
+
+def material_script():
+    return b"""material wood { technique { pass { diffuse 0.5 0.4 0.3 1 } } }
+material oak : wood // a picture
+{ technique { pass { texture_unit { texture oak.png
+scale 2 2 } } } }
+"""
 
 
 def labelled_ply(form="ascii"):
@@ -419,6 +428,8 @@ def write_beside(folder):
             "gz/flat.world": world(), "gz/models/hall/model.sdf": hall(),
             "gz/models/hall/meshes/room.obj": obj(), "gz/models/hall/meshes/room.mtl": mtl(),
             "gz/models/hall/meshes/oak.png": png(),
+            "gz/models/hall/materials/scripts/hall.material": material_script(),
+            "gz/models/hall/materials/textures/oak.png": png(),
             "replica/mesh_semantic.ply": labelled_ply(),
             "replica/info_semantic.json": semantic_info(),
             "mp3d/a_semantic.ply": labelled_ply("binary_little_endian"), "mp3d/a.house": house(),
@@ -445,6 +456,7 @@ SCENES += [
     ("hab/urdf/drawer.urdf", urdf, FLAT, 48),
     ("gz/flat.world", world, "gz/flat.world", None),
     ("gz/models/hall/model.sdf", hall, "gz/flat.world", None),
+    ("gz/models/hall/materials/scripts/hall.material", material_script, "gz/flat.world", None),
     ("replica/mesh_semantic.ply", labelled_ply, "replica/mesh_semantic.ply", 12),
     ("replica/info_semantic.json", semantic_info, "replica/mesh_semantic.ply", 12),
     ("mp3d/a_semantic.ply", lambda: labelled_ply("binary_little_endian"), "mp3d/a_semantic.ply", 12),

@@ -278,16 +278,23 @@ TEST(Gazebo, JointsOfMissingLinksAreNamed) {
     EXPECT_FALSE(says(scene.report.warnings, "'held'"));
 }
 
-// Several links without joints: generic names get their model's name.
+// Several links without joints: generic names, and those of several models, get their model's name.
 TEST(Gazebo, PlainNamesOfLinksComeWithTheirModel) {
     const TempFolder folder;
+    const auto model = [](const std::string& name, int y, const std::string& links) {
+        return fmt::format("<model name='{}'><pose>0 {} 0 0 0 0</pose>{}</model>", name, y, links);
+    };
+    const auto link = [](const std::string& name, int x) {
+        return fmt::format("<link name='{}'><pose>{} 0 0 0 0 0</pose>{}</link>", name, x, kBall);
+    };
     const Scene scene = imported(folder.write(
-        "room.world",
-        world(fmt::format("<model name='cabinet'><link name='link_0'>{0}</link><link name='handle'>"
-                          "<pose>5 0 0 0 0 0</pose>{0}</link></model>",
-                          kBall))));
-    EXPECT_NE(find(scene, "cabinet::link_0"), nullptr);
-    EXPECT_NE(find(scene, "handle"), nullptr);
+        "room.world", world(model("cabinet", 0, link("link_0", 0) + link("handle", 5)) +
+                            model("book_1", 5, link("cover", 0) + link("page", 5)) +
+                            model("book_2", 10, link("cover", 0) + link("spine", 5)))));
+    for (const char* name :
+         {"cabinet::link_0", "handle", "book_1::cover", "book_2::cover", "page", "spine"}) {
+        EXPECT_NE(find(scene, name), nullptr) << name;
+    }
 }
 
 // Gazebo's model editor names the parts of a chair link_0, link_0_clone and so on.
@@ -310,7 +317,7 @@ TEST(Gazebo, LinksWithoutNamesOfTheirOwnArePartsOfOneObject) {
         << "too many for one thing";
 }
 
-TEST(Gazebo, MaterialScriptsThatAreNotReadAreNamed) {
+TEST(Gazebo, MaterialsWithoutScriptAreNamed) {
     const TempFolder folder;
     const auto painted = [](double x, const std::string& script) {
         return modelAt(x, script.substr(7),
@@ -321,8 +328,9 @@ TEST(Gazebo, MaterialScriptsThatAreNotReadAreNamed) {
     const Scene scene = imported(
         folder.write("room.world", world(painted(0, "Gazebo/Red") + painted(2, "Custom/cola"))));
     EXPECT_TRUE(says(scene.report.warnings,
-                     "1 material script is not read, so its textures are missing; use a mesh file "
-                     "that contains the material: Custom/cola"));
+                     "1 material is in no script that was found, so its colour and texture are "
+                     "missing; give the folder around the models or scripts with --models: "
+                     "Custom/cola"));
 }
 
 // A building on Gazebo's ground plane is the scene, however large it is.

@@ -37,6 +37,28 @@ TEST(Urdf, LinksStandWhereJointsPutThem) {
         Eigen::Vector3f(0, 0, 1)));
 }
 
+TEST(Urdf, TexturesCoverShapes) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("pkg/package.xml", "<package/>"));
+    static_cast<void>(
+        folder.write("pkg/textures/wood.ppm", "P6\n1 1\n255\n" + std::string(3, '\x80')));
+    const Scene scene = imported(folder.write("pkg/urdf/room.urdf", R"(<robot name="room">
+ <material name="wood"><texture filename="package://pkg/textures/wood.ppm"/></material>
+ <link name="shelf"><visual><geometry><box size="2 2 0.2"/></geometry><material name="wood"/></visual></link>
+ <joint name="a" type="fixed"><origin xyz="0 0 1"/><parent link="shelf"/><child link="sink"/></joint>
+ <link name="sink"><visual><geometry><cylinder radius="0.5" length="1"/></geometry>
+  <material name="steel"><texture filename="textures/steel.png"/></material></visual></link>
+</robot>)"));
+    EXPECT_EQ(scene.report.textures_found, 1);
+    EXPECT_EQ(scene.report.textures_missing, std::vector<std::string>{"steel.png"});
+    const Object* shelf = find(scene, "shelf");
+    ASSERT_NE(shelf, nullptr);
+    const Material& wood = scene.materials[scene.triangle_material[shelf->first_triangle]];
+    ASSERT_GE(wood.texture, 0);
+    EXPECT_EQ(scene.textures[wood.texture].name, "wood.ppm");
+    EXPECT_TRUE(wood.base_color.isOnes());
+}
+
 TEST(Urdf, JointsInACircleAreRefused) {
     const TempFolder folder;
     const Result<Scene> circle = importScene(folder.write("circle.urdf", R"(<robot name="r">
