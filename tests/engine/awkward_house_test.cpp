@@ -161,6 +161,12 @@ TEST(AwkwardHouse, ARoomInOneMeshIsTakenApart) {
     EXPECT_TRUE(says(scene.report.warnings, "does not separate its objects"));
 }
 
+TEST(AwkwardHouse, ARoomWithoutTargetsIsNoted) {
+    const Scene scene = importedText(ObjWriter().room({5, 4, 2.6}, true).text());
+    EXPECT_TRUE(says(scene.report.notes, "so there is no target"));
+    EXPECT_FALSE(says(importedText(furnished().text()).report.notes, "so there is no target"));
+}
+
 TEST(AwkwardHouse, ThingsThatPassThroughEachOtherStayThemselves) {
     ObjWriter obj = furnished();
     obj.object("ottoman").box({1.5, 3.2, 0.0}, {2.6, 3.9, 0.6});  // inside the sofa

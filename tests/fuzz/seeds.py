@@ -36,8 +36,10 @@ texts = {"tum": b"# t\n0.0 0 0 0 0 0 0 1\n0.1 1 0 0 0 0 0 1\n",
 for name, text in texts.items():
     for kind in range(FORMATS):
         write("trajectory", f"{name}{kind}", bytes([kind]) + text)
-for number, make in enumerate([small_models.world, small_models.urdf, small_models.hall]):
+for number, make in enumerate([small_models.world, small_models.urdf,
+                               small_models.material_script]):
     write("gazebo", make.__name__, bytes([number]) + make())
+write("gazebo", "hall", b"\0" + small_models.hall())
 for make in (small_models.scene_instance, small_models.dataset_config, small_models.object_config):
     write("habitat", make.__name__, make())
 for form in ("ascii", "binary_little_endian"):
