@@ -109,6 +109,16 @@ void Editor::addFileCommands() {
                    {},
                    [this] { askForFile("camera path"); },
                    needs_project});
+    commands_.add({"file.save_poses",
+                   "File",
+                   "Save the camera path…",
+                   {},
+                   [this] { askForFile("poses"); },
+                   [this] {
+                       return plan() != nullptr && !plan()->trajectory.frames.empty()
+                                  ? std::string()
+                                  : std::string("There is no camera path yet.");
+                   }});
     commands_.add(
         {"file.close", "File", "Close", ctrl(GLFW_KEY_W),
          [this] { questions_.afterUnsaved([this] { workspace_.close(); }, "before it is closed"); },

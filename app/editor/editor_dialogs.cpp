@@ -1,8 +1,10 @@
 #include "app/editor/editor.h"
 
 #include "engine/core/log.h"
+#include "engine/io/files/durable_file.h"
 #include "engine/io/format_table/scene_format.h"
 #include "engine/io/settings/annotation_file.h"
+#include "engine/io/trajectories/trajectory_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -68,6 +70,13 @@ void Editor::askForFile(const std::string& id) {
         request.accept = "Import";
         request.filters = {
             {"Trajectories", {".txt", ".json", ".csv", ".tum", ".kitti", ".xml", ".sh3d"}}};
+    } else if (id == "poses") {
+        request.purpose = ui::FileRequest::Purpose::Save;
+        request.title = "Save the camera path as text (TUM: seconds, x y z, qx qy qz qw)";
+        request.accept = "Save";
+        request.extension = ".txt";
+        request.filters = {{"Trajectories", {".txt"}}};
+        request.name = workspace_.sceneFile().stem().string() + ".txt";
     } else if (id == "kept plan") {
         request.title = "Compare with the plan of another project of this scene";
         request.accept = "Compare";
@@ -116,6 +125,14 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
         workspace_.readAgain(import);
     } else if (answer.id == "camera path") {
         readMotion({answer.path, {}});
+    } else if (answer.id == "poses") {
+        if (plan() == nullptr) return;
+        const Status written = writeWhole(answer.path, tumText(plan()->trajectory));
+        if (written) {
+            log::info("editor", "saved the camera path as " + answer.path.string());
+        } else {
+            questions_.tell({true, "Cannot save the camera path", describe(written.error()), {}});
+        }
     } else if (answer.id == "kept plan") {
         comparison_.read(answer.path, workspace_);
     } else if (answer.id == "preview.png") {

@@ -15,6 +15,7 @@
 #include "engine/io/files/durable_file.h"
 #include "engine/io/files/png_writer.h"
 #include "engine/io/settings/project_file.h"
+#include "engine/io/trajectories/trajectory_file.h"
 #include "engine/jobs/job_phases.h"
 #include "engine/plan/frame_quality.h"
 #include "engine/plan/ledger_json.h"
@@ -47,6 +48,7 @@ struct PlanArguments {
     BackendOption backend;  // OpenGL backend for the image
     std::vector<std::string> coverage;
     std::string frames;  // table of the frames
+    std::string poses;   // the trajectory as text
     std::vector<std::string> requirements;
     std::string planner = "dollytrack";
     bool as_json = false;
@@ -189,6 +191,10 @@ Status checkBaselineUsage(const PlanArguments& arguments) {
     return {};
 }
 
+Status writePoses(const Trajectory& trajectory, const std::string& file) {
+    return file.empty() ? Status{} : writeWhole(file, tumText(trajectory));
+}
+
 /// Prints the metrics of a baseline planner's trajectory.
 Result<ExitCode> runBaseline(const PlanArguments& arguments,
                              const std::vector<Requirement>& requirements, const Session& session) {
@@ -198,12 +204,18 @@ Result<ExitCode> runBaseline(const PlanArguments& arguments,
     if (Status status = checkNames(requirements, metricsOf(arguments.planner)); !status) {
         return tl::unexpected(std::move(status.error()));
     }
+    if (Status status = checkWritable(arguments.poses); !status) {
+        return tl::unexpected(std::move(status.error()));
+    }
     const JobContext job = session.job();
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
     if (!opened) return tl::unexpected(opened.error());
     const auto planned =
         planWithBaseline(arguments.planner, *opened, job.stage(0.3, 1.0, "planning"));
     if (!planned) return tl::unexpected(planned.error());
+    if (Status status = writePoses(planned->trajectory, arguments.poses); !status) {
+        return tl::unexpected(std::move(status.error()));
+    }
     if (arguments.as_json) {
         fmt::print("{}\n", jsonText(planned->metrics));
     } else {
@@ -212,7 +224,7 @@ Result<ExitCode> runBaseline(const PlanArguments& arguments,
     return areMet(requirements, planned->metrics) ? kDone : kPartial;
 }
 
-/// Writes the project, the picture and the coverage that were asked for.
+/// Writes the project, the poses, the picture and the coverage that were asked for.
 Status writeFiles(const OpenedScene& opened, planning::Pipeline& pipeline,
                   const PlannedScene& planned, const PlanArguments& arguments,
                   const Session& session, const JobPhases& phases) {
@@ -221,6 +233,7 @@ Status writeFiles(const OpenedScene& opened, planning::Pipeline& pipeline,
         project.result = planned.result;
         if (Status status = saveProject(project, arguments.out); !status) return status;
     }
+    if (Status status = writePoses(planned.trajectory, arguments.poses); !status) return status;
     if (!arguments.picture.empty()) {
         if (Status status = savePicture(opened, pipeline, *planned.plan, arguments,
                                         hideInnerStages(session, phases.of(kPicture)));
@@ -248,7 +261,8 @@ Status checkFiles(const PlanArguments& arguments) {
                     "This is the name of a table; --max-frames limits the number of frames.",
                     "--frames " + arguments.frames);
     }
-    for (const std::string& file : {arguments.out, arguments.picture, arguments.frames}) {
+    for (const std::string& file :
+         {arguments.out, arguments.picture, arguments.frames, arguments.poses}) {
         if (Status status = checkWritable(file); !status) return status;
     }
     return checkCoverageFiles(arguments.coverage);
@@ -359,6 +373,12 @@ void addPlanCommand(CLI::App& app, Session& session) {
                      "Table of measurements of each frame to write, such as clearance, image "
                      "corners and overlap with the frame before; includes --quality")
         ->type_name("FILE.csv");
+    command
+        ->add_option(
+            "--poses", arguments->poses,
+            "Trajectory to write as text (TUM): seconds, x y z, qx qy qz qw of each frame; "
+            "world in m with z up, camera with x right, y down, z forward")
+        ->type_name("FILE.txt");
     command->add_flag("--json", arguments->as_json, "Print the metrics as JSON");
     command->add_flag("--bound", arguments->bound,
                       "Also compute an upper bound by a dense viewpoint search (slow)");

@@ -56,4 +56,12 @@ struct LoadedTrajectory {
 Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
                                         const TrajectoryReading& reading);
 
+/// A line of a TUM trajectory, without its line end: "timestamp tx ty tz qx qy qz qw", seconds with
+/// six decimals and the pose, world_from_camera, with nine.
+[[nodiscard]] std::string tumLine(double time_s, const Pose& pose);
+
+/// A trajectory as the text of a TUM file: a comment that names the columns, and a line per frame.
+/// The world has z up and is in metres; the camera's x points right, y down, z forward.
+[[nodiscard]] std::string tumText(const Trajectory& trajectory);
+
 }  // namespace dollytrack

@@ -1,5 +1,8 @@
 #include "engine/io/files/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
+#include "engine/io/trajectories/trajectory_file.h"
+
+#include <fmt/format.h>
 
 namespace dollytrack {
 
@@ -15,6 +18,21 @@ Result<PoseList> readTum(const PoseFile& file) {
         list.poses.push_back({{v[1], v[2], v[3]}, *rotation, v[0], 0, line.line});
     }
     return list;
+}
+
+std::string tumLine(double time_s, const Pose& pose) {
+    std::string line = fmt::format("{:.6f}", time_s + 0.0);
+    for (const double x : pose.position) line += fmt::format(" {:.9f}", x + 0.0);
+    for (const double x : pose.rotation.coeffs()) line += fmt::format(" {:.9f}", x + 0.0);
+    return line;
+}
+
+std::string tumText(const Trajectory& trajectory) {
+    std::string text = "# timestamp tx ty tz qx qy qz qw\n";
+    for (const TrajectoryFrame& frame : trajectory.frames) {
+        text += tumLine(frame.time_s, frame.pose) + "\n";
+    }
+    return text;
 }
 
 }  // namespace dollytrack

@@ -1,6 +1,7 @@
 #include "render/formats/poses/tum.h"
 
 #include "engine/io/files/png_writer.h"
+#include "engine/io/trajectories/trajectory_file.h"
 #include "render/dataset/contents/frame_context.h"
 #include "render/encoders/pack.h"
 #include "render/formats/poses/frame_text.h"
@@ -42,9 +43,7 @@ std::string associations(const DatasetContents& contents) {
 Result<std::vector<DatasetFile>> writeTum(const DatasetContents& contents) {
     std::string poses = "# timestamp tx ty tz qx qy qz qw\n";
     for (const DatasetFrame& frame : contents.frames) {
-        const Pose& pose = frame.camera.pose;
-        poses += stampText(frame.camera.time_s) + " " +
-                 positionQuaternionText(pose.position, pose.rotation) + "\n";
+        poses += tumLine(frame.camera.time_s, frame.camera.pose) + "\n";
     }
     std::vector<DatasetFile> files = {{kTumFiles[0], std::move(poses)}};
     // Lists only images that exist.

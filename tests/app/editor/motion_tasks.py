@@ -58,6 +58,15 @@ class Motions(Task):
         self.assertEqual(state["plan"]["moves_in_collision"], 0)
         repaired = state["edits"]["motion"]["frames"]
         self.assertEqual(repaired[-1][1:8], given[-1][1:8])
+        saved = self.folder / "repaired.txt"
+        self.editor.run_command("save the camera path")
+        self.editor.choose_file(saved)
+        self.editor.wait(lambda now: saved.exists(), "the saved path")
+        lines = [line.split() for line in saved.read_text().splitlines()[1:]]
+        self.assertEqual(len(lines), len(repaired))
+        for line, frame in zip(lines, repaired):
+            for text, number in zip(line, frame):
+                self.assertAlmostEqual(float(text), number, delta=1e-6)
         for frame in repaired:
             self.assertGreater(distance_from_the_sofa(frame[1:4]), 0.1)
         self.editor.key("ctrl+z")

@@ -49,7 +49,7 @@ class FrameTable(FolderCase):
         tiny_room.write(cls.room)
         cls.project, cls.table = cls.folder / "room.dolly", cls.folder / "frames.csv"
         cls.planned = run("plan", cls.room, "--max-frames", 40, *CAMERA, "-o", cls.project,
-                          "--frames", cls.table, "--json")
+                          "--frames", cls.table, "--poses", cls.folder / "path.txt", "--json")
         with open(cls.table) as file:
             cls.rows = list(csv.DictReader(file))
 
@@ -116,6 +116,19 @@ class FrameTable(FolderCase):
             self.assertEqual(by_objective[name], with_quality[name])
         self.assertEqual(plain["surface_patches"], by_objective["surface_patches"])
         self.assertLessEqual(plain["surface_seen_rate"], by_objective["surface_seen_rate"])
+
+    def test_poses_are_those_of_the_project(self):
+        frames = json.loads(self.project.read_text())["result"]["trajectory"]["frames"]
+        rows = numpy.loadtxt(self.folder / "path.txt")
+        self.assertEqual(len(rows), len(frames))
+        for row, frame in zip(rows, frames):
+            expected = [frame["time_s"], *frame["position"], *frame["quaternion_xyzw"]]
+            numpy.testing.assert_allclose(row, expected, atol=1e-6)
+        baseline = self.folder / "baseline.txt"
+        planned = run("plan", self.room, "--max-frames", 20, "--planner", "uniform", "--poses",
+                      baseline)
+        self.assertEqual(planned.returncode, 0, planned.stderr)
+        self.assertEqual(numpy.loadtxt(baseline).shape, (20, 8))
 
     def test_requirements_need_the_option(self):
         self.assertEqual(run("plan", self.room, "--require", "wide_gaps<=1000").returncode, 2)
