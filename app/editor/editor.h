@@ -201,6 +201,9 @@ class Editor {
     /// `add`, adds the object or takes it out; with `list`, shows them all to choose from.
     void clickAt(const Eigen::Vector2d& pixel, bool add, bool list);
     void drawPickList();
+    /// Opens the menu of the selection, which becomes `selection` unless that is part of it.
+    void openSelectionMenu(const ui::Selection& selection);
+    void drawSelectionMenu();
     /// The text of an element in that list.
     [[nodiscard]] std::string nameOf(const ui::Selection& selection) const;
     /// Selects the objects in a part of the image, parts of the building only if nothing else is;
@@ -366,6 +369,8 @@ class Editor {
     [[nodiscard]] std::optional<OrientedBox> boxAroundSelection() const;
     [[nodiscard]] OrientedBox boxInView();  // editor_objects.cpp
     [[nodiscard]] int frameCount() const;
+    /// The role of an object with the newest edits, which the shown scene may not contain yet.
+    [[nodiscard]] Role newestRole(int object) const;
     [[nodiscard]] const Plan* plan() const { return workspace_.shown().plan.get(); }
 
     Window& window_;
@@ -424,6 +429,7 @@ class Editor {
         std::shared_ptr<const Plan> plan;
     };
     PickList pick_list_;
+    bool opens_selection_menu_ = false;
     ui::ClipSettings clip_;
     ui::ClipHandles clip_handles_;
     mutable std::vector<render::StoreyView> storeys_;  // for the scene and plan below

@@ -158,9 +158,14 @@ void Editor::addEditCommands() {
 }
 
 void Editor::addTargetCommands() {
-    const auto needs_object = [this]() -> std::string {
+    const auto why_not = [this](bool target) -> std::string {
         if (!workspace_.shown().scene) return "No scene is open.";
-        return selected_.objects().empty() ? "Select an object first." : "";
+        if (selected_.objects().empty()) return "Select an object first.";
+        const bool changes = std::ranges::any_of(selected_.objects(), [&](int id) {
+            return (newestRole(id) == Role::Target) != target;
+        });
+        if (changes) return "";
+        return target ? "The selection is a target already." : "The selection is no target.";
     };
     commands_.add(
         {"edit.exclude", "Edit", "Exclude the selection", key(GLFW_KEY_X),
@@ -168,7 +173,7 @@ void Editor::addTargetCommands() {
              apply({{"op", "exclude"},
                     {"object", objectKeys(*workspace_.shown().scene, selected_.objects())}});
          },
-         needs_object});
+         [why_not] { return why_not(false); }});
     commands_.add(
         {"edit.include",
          "Edit",
@@ -178,7 +183,7 @@ void Editor::addTargetCommands() {
              apply({{"op", "include"},
                     {"object", objectKeys(*workspace_.shown().scene, selected_.objects())}});
          },
-         needs_object});
+         [why_not] { return why_not(true); }});
     commands_.add({"edit.split",
                    "Edit",
                    "Split into connected pieces",

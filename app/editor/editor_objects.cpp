@@ -245,8 +245,14 @@ void Editor::addObjectCommands() {
     const auto needs_object = [this]() -> std::string {
         return movableObject() != 0 ? "" : "Select one object first.";
     };
-    const auto needs_objects = [this]() -> std::string {
-        return movableObjects().empty() ? "Select objects first." : "";
+    const auto needs_moved = [this]() -> std::string {
+        if (movableObjects().empty()) return "Select objects first.";
+        const bool moved = std::ranges::any_of(movableObjects(), [&](int id) {
+            const ObjectChange* change =
+                ui::findChange(workspace_.state().edits, *workspace_.shown().scene, id);
+            return change != nullptr && (change->move || !change->track.empty());
+        });
+        return moved ? "" : "The selection was not moved.";
     };
     const auto putBack = [this](const char* what, const nlohmann::json& value) {
         nlohmann::json moves = nlohmann::json::array();
@@ -260,13 +266,13 @@ void Editor::addObjectCommands() {
                    "Clear the moves of the objects",
                    {GLFW_KEY_G, false, false, true},
                    [putBack] { putBack("offset", ui::pointJson(Eigen::Vector3d::Zero())); },
-                   needs_objects});
+                   needs_moved});
     commands_.add({"edit.clear_turn",
                    "Edit",
                    "Clear the rotations of the objects",
                    {GLFW_KEY_R, false, false, true},
                    [putBack] { putBack("turn_deg", 0.0); },
-                   needs_objects});
+                   needs_moved});
     commands_.add({"edit.add_key",
                    "Edit",
                    "Add a key to the object at this time",
@@ -297,6 +303,13 @@ void Editor::addObjectCommands() {
                                         lastKeyTime(workspace_.state().edits.scene).value_or(0) > 0;
                        return any ? "" : "No object has two keys.";
                    }});
+}
+
+Role Editor::newestRole(int object) const {
+    const Scene& scene = *workspace_.shown().scene;
+    const ObjectChange* change = ui::findChange(workspace_.state().edits, scene, object);
+    const Role shown = scene.object(object).role;
+    return change != nullptr ? change->role.value_or(shown) : shown;
 }
 
 nlohmann::json Editor::removeKeyHere() const {

@@ -81,6 +81,9 @@ void Editor::drawObjects() {
     const ui::ObjectsActions actions = ui::drawObjectsPanel(view, panels_.objects);
     if (actions.clicked != 0) selectObject(actions.clicked, actions.add_to_selection);
     if (actions.frame != 0) showUnobstructed(selectedBox());
+    if (actions.right_clicked != 0) {
+        openSelectionMenu(ui::Selection::ofObject(actions.right_clicked));
+    }
     if (actions.toggle_hidden != 0) selected_.toggleHidden(actions.toggle_hidden);
     if (actions.toggle_target != 0) {
         apply({{"op", actions.make_target ? "include" : "exclude"},

@@ -4,13 +4,16 @@
 #include "planning/free_space/free_space.h"
 #include "render/draw/storey_cutaway.h"
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/item_map.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 namespace dollytrack::editor {
 
@@ -19,7 +22,17 @@ using ui::Selection;
 namespace {
 
 constexpr const char* kPickList = "under the cursor";
+constexpr const char* kSelectionMenu = "menu of the selection";
 constexpr float kSamePlace_px = 4.0F;
+
+/// The commands in the menu of the selection, in groups; it shows those that can run.
+constexpr std::array<std::array<const char*, 6>, 4> kMenuGroups = {
+    {{"view.frame_selected", "view.local", "view.hide", "view.show_all", "view.clip_box",
+      "view.frame_all"},
+     {"edit.exclude", "edit.include", "edit.split", "edit.add_key", "edit.remove_key",
+      "edit.pin_point"},
+     {"edit.move", "edit.rotate", "edit.clear_move", "edit.clear_turn"},
+     {"timeline.look_through_key", "edit.replace_camera_key", "edit.camera_key", "edit.delete"}}};
 
 /// What a picked element of a layer selects; kind None for elements that cannot be selected.
 Selection selectionOf(const ui::PickedElement& element, int candidate_search) {
@@ -173,6 +186,35 @@ void Editor::drawPickList() {
         const std::string text = fmt::format("{}##{}", nameOf(one), i);
         if (ImGui::Selectable(text.c_str(), one == selected_.now())) select(Selection(one));
         ui::nameItem("pick." + std::to_string(i));
+    }
+    ImGui::EndPopup();
+}
+
+void Editor::openSelectionMenu(const Selection& selection) {
+    const std::vector<int>& objects = selected_.objects();
+    const bool part = selection.kind == Selection::Kind::Object &&
+                      std::ranges::count(objects, selection.objects.front()) > 0;
+    if (!part) select(Selection(selection));
+    opens_selection_menu_ = true;
+}
+
+void Editor::drawSelectionMenu() {
+    if (std::exchange(opens_selection_menu_, false)) ImGui::OpenPopup(kSelectionMenu);
+    if (!ImGui::BeginPopup(kSelectionMenu)) return;
+    const std::vector<int>& objects = selected_.objects();
+    const std::string name =
+        objects.empty() ? nameOf(selected_.now()) : namesOf(*workspace_.shown().scene, objects);
+    if (!name.empty()) ImGui::TextDisabled("%s", ui::cutToWidth(name, ui::scaled(280)).c_str());
+    bool any = !name.empty();
+    for (const auto& group : kMenuGroups) {
+        bool begun = false;
+        for (const char* id : group) {
+            const ui::Command* command = id == nullptr ? nullptr : commands_.find(id);
+            if (command == nullptr || !command->canRun()) continue;
+            if (any && !begun) ImGui::Separator();
+            begun = any = true;
+            commands_.drawMenuItem(id);
+        }
     }
     ImGui::EndPopup();
 }

@@ -468,6 +468,10 @@ void Editor::drawCentre() {
     if (pane_.unlock) leaveCameraView();
     if (!workspace_.isOpen()) return;
     if (pane_.clicked) clickAt(*pane_.clicked, pane_.add_to_selection, pane_.list);
+    if (pane_.right_clicked && workspace_.shown().hasObjectsOf(drawing_.view().geometry)) {
+        const std::vector<ui::Selection> found = underCursor(*pane_.right_clicked);
+        openSelectionMenu(found.empty() ? ui::Selection{} : found.front());
+    }
     if (pane_.box) {
         selectInBox(*pane_.box, pane_.add_to_selection, pane_.remove_from_selection);
     }
@@ -479,6 +483,7 @@ void Editor::drawCentre() {
     drawMove();
     editWithGizmo();
     drawPickList();
+    drawSelectionMenu();
     if (!panels_.preview.full) drawLegend();
     drawFrameTip();
     preview_hovered_ = false;

@@ -48,6 +48,26 @@ TEST(CutText, KeepsAsMuchAsFits) {
     });
 }
 
+TEST(CutText, KeepsWhatTellsNamesApart) {
+    onScreen([] {
+        const std::vector<std::string> names = {"flat-COLLADA-sofa-material",
+                                                "flat-COLLADA-lamp-material", "stool"};
+        EXPECT_EQ(cutApart(names, widthOf("flat-CO\u2026erial")),
+                  (std::vector<std::string>{"\u2026sofa\u2026", "\u2026lamp\u2026", "stool"}));
+        EXPECT_EQ(cutApart(names, 2 * widthOf(names[0])), names);
+        // Of names without anything in common but the ends, and of equal ones, nothing is dropped.
+        const std::vector<std::string> others = {"curtain_of_room_one", "carpet_of_rooms_eleven",
+                                                 "curtain_of_room_one"};
+        for (const std::string& one : cutApart(others, widthOf("curtain_of"))) {
+            EXPECT_TRUE(one.starts_with("c")) << one;
+        }
+        const std::vector<std::string> nested = {"chair-of-the-room", "chair-of-the-room-room"};
+        for (const std::string& one : cutApart(nested, widthOf("chair-of-th"))) {
+            EXPECT_LE(widthOf(one), widthOf("chair-of-th")) << one;
+        }
+    });
+}
+
 TEST(CutText, KeepsTheNumberAtANamesEnd) {
     onScreen([] {
         const float width = widthOf("curtain_liv");

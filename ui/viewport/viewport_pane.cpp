@@ -62,17 +62,19 @@ void zoomWithWheel(const ViewportView& view, ViewportState& state, ViewportActio
     actions.camera_moved = true;
 }
 
-void flyWithKeys(ViewportState& state, ViewportActions& actions) {
+/// Returns whether a key is held.
+bool flyWithKeys(ViewportState& state, ViewportActions& actions) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto held = [](int plus, int minus) {
         return static_cast<double>(ImGui::IsKeyDown(plus)) - ImGui::IsKeyDown(minus);
     };
     const Eigen::Vector3d way(held(GLFW_KEY_D, GLFW_KEY_A), held(GLFW_KEY_E, GLFW_KEY_Q),
                               held(GLFW_KEY_W, GLFW_KEY_S));
-    if (way.isZero()) return;
+    if (way.isZero()) return false;
     const double speed_mps = io.KeyShift ? 6.0 : 2.0;
     state.camera.fly(speed_mps * std::min(io.DeltaTime, 0.1F) * way);
     actions.camera_moved = true;
+    return true;
 }
 
 /// Whether the left button belongs to a gizmo handle.
@@ -97,6 +99,7 @@ void beginDrag(ViewportState& state, const ViewportView& view) {
     } else {
         return;
     }
+    state.looked = false;
     state.pressed_at = {io.MousePos.x, io.MousePos.y};
     state.pressed_with_shift = io.KeyShift;
     state.pressed_with_ctrl = io.KeyCtrl;
@@ -138,14 +141,18 @@ void continueDrag(ViewportState& state, const ViewportView& view, ViewportAction
     using Drag = ViewportState::Drag;
     if (state.drag == Drag::Box) return continueBox(state, actions);
     const ImGuiIO& io = ImGui::GetIO();
-    if (state.drag == Drag::Pressed &&
+    const bool beyond_click =
         (Eigen::Vector2d(io.MousePos.x, io.MousePos.y) - state.pressed_at).norm() >
-            scaled(kClickSlack_px)) {
+        scaled(kClickSlack_px);
+    if (state.drag == Drag::Pressed && beyond_click) {
         state.drag = state.pressed_with_shift ? Drag::Pan : Drag::Orbit;
     }
+    if (state.drag == Drag::Look && beyond_click) state.looked = true;
     const double dx = io.MouseDelta.x;
     const double dy = io.MouseDelta.y;
-    const bool moves = (dx != 0.0 || dy != 0.0) && state.drag != Drag::Pressed;
+    const bool may_click =
+        state.drag == Drag::Pressed || (state.drag == Drag::Look && !state.looked);
+    const bool moves = (dx != 0.0 || dy != 0.0) && !may_click;
     if (view.locked) {
         actions.unlock = moves;
     } else if (moves) {
@@ -154,13 +161,16 @@ void continueDrag(ViewportState& state, const ViewportView& view, ViewportAction
         if (state.drag == Drag::Look) state.camera.look(dx, dy);
         actions.camera_moved = true;
     }
-    if (state.drag == Drag::Look && !view.locked) flyWithKeys(state, actions);
+    if (state.drag == Drag::Look && !view.locked && flyWithKeys(state, actions)) {
+        state.looked = true;
+    }
     if (!ImGui::IsAnyMouseDown()) {
         if (state.drag == Drag::Pressed) {
             actions.clicked = actions.cursor;
             actions.add_to_selection = state.pressed_with_ctrl || state.pressed_with_shift;
             actions.list = state.pressed_with_alt;
         }
+        if (state.drag == Drag::Look && !state.looked) actions.right_clicked = actions.cursor;
         state.drag = Drag::None;
     }
 }

@@ -33,6 +33,7 @@ struct ViewportState {
     bool pressed_with_shift = false;
     bool pressed_with_ctrl = false;
     bool pressed_with_alt = false;
+    bool looked = false;      // since the press; without it, the right button opens a menu
     bool box_select = false;  // the next left drag selects the objects in a box
 
     /// Ends the selection with a box; returns whether there was one.
@@ -47,6 +48,7 @@ struct ViewportActions {
     bool hovered = false;
     Eigen::Vector2d cursor = Eigen::Vector2d::Zero();
     std::optional<Eigen::Vector2d> clicked;
+    std::optional<Eigen::Vector2d> right_clicked;
     std::optional<Eigen::AlignedBox2d> box;  // a box was drawn to select what is in it
     bool add_to_selection = false;
     bool remove_from_selection = false;  // the objects in the box
@@ -58,8 +60,8 @@ struct ViewportActions {
 
 /// Draws the scene's image and handles its mouse: left or middle drag orbits, with Shift it pans,
 /// the wheel zooms towards the point under the cursor, right drag looks around while W A S D Q E
-/// fly. With ViewportState::box_select, a left drag draws a box instead: Shift adds its objects to
-/// the selection, Ctrl takes them out.
+/// fly; a right click is reported. With ViewportState::box_select, a left drag draws a box instead:
+/// Shift adds its objects to the selection, Ctrl takes them out.
 ViewportActions drawViewport(const ViewportView& view, ViewportState& state);
 
 /// World position (m) of the surface under an image pixel; nullopt if there is no surface.

@@ -85,3 +85,27 @@ class BoxSelect(Task):
         self.editor.point((self.editor.middle("viewport")[0], 60))
         state = self.editor.key("h")
         self.assertEqual(state["hidden_ids"], sorted(selected))
+
+    def test_a_right_click_opens_the_menu_of_the_selection(self):
+        self.from_above()
+        middle = tuple((a + b) // 2 for a, b in zip(*self.corners(SOFA, 4)))
+        state = self.editor.click(middle, button="right")
+        self.assertEqual(state["selected"], [SOFA])
+        self.assertIn("command.edit.exclude", state["items"])
+        self.assertNotIn("command.edit.include", state["items"], "what cannot run is left out")
+        self.editor.click("command.view.hide")
+        self.assertEqual(self.editor.state()["hidden_ids"], [SOFA])
+        # In the list, for all that is selected.
+        self.select_row(MUG)
+        self.editor.click(f"objects.row.{BOOK}", keys=("ctrl",))
+        state = self.editor.click(f"objects.row.{BOOK}", button="right")
+        self.assertEqual(sorted(state["selected"]), [MUG, BOOK])
+        self.editor.click("command.edit.exclude")
+        state = self.editor.idle()
+        self.assertEqual(state["plan"]["excluded"], 2)
+        self.assertEqual(len(state["history"]), 2, "one step of undo")
+        # A right drag looks around instead.
+        camera = state["camera"]
+        state = self.editor.drag(middle, (middle[0] + 60, middle[1]), button="right")
+        self.assertNotEqual(state["camera"], camera)
+        self.assertNotIn("command.view.local", state["items"])

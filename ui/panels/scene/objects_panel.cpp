@@ -97,8 +97,12 @@ void bringRowIntoView() {
     if (high > bottom) ImGui::SetScrollY(ImGui::GetScrollY() + (high - bottom));
 }
 
+std::string listName(const Object& object) {
+    return object.name.empty() ? "object " + std::to_string(object.id) : object.name;
+}
+
 void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& object,
-             bool with_class, ObjectsActions& actions) {
+             const std::string& shown_name, bool with_class, ObjectsActions& actions) {
     ImGui::PushID(object.id);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -106,10 +110,8 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
     ImGui::TableNextColumn();
     const bool selected = view.selected != nullptr &&
                           std::ranges::find(*view.selected, object.id) != view.selected->end();
-    const std::string name =
-        object.name.empty() ? "object " + std::to_string(object.id) : object.name;
-    const float name_room = ImGui::GetContentRegionAvail().x;
-    const std::string shown_name = cutToWidth(name, name_room, Cut::Middle);
+    const std::string name = listName(object);
+    state.name_width = ImGui::GetContentRegionAvail().x;
     // The pushed id distinguishes names that are cut to the same text.
     if (ImGui::Selectable(shown_name.c_str(), selected,
                           ImGuiSelectableFlags_SpanAllColumns |
@@ -120,6 +122,7 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) actions.frame = object.id;
     }
     const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) actions.right_clicked = object.id;
     if (ImGui::IsItemClicked()) state.pressed_with_key = io.KeyCtrl || io.KeyShift;
     nameItem("objects.row." + std::to_string(object.id));
     const std::string class_name = className(object);
@@ -206,8 +209,13 @@ ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& stat
         clipper.ForceDisplayRangeByIndices(at, at + 1);
     }
     while (clipper.Step()) {
+        std::vector<std::string> names;
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawRow(view, state, *rows[i], with_class, actions);
+            names.push_back(listName(*rows[i]));
+        }
+        names = cutApart(names, state.name_width);
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            drawRow(view, state, *rows[i], names[i - clipper.DisplayStart], with_class, actions);
         }
     }
     ImGui::EndTable();

@@ -23,6 +23,7 @@ struct ObjectsPanelState {
     std::string filter;
     int shown = 1;                  // index of the shown group: all, targets, not captured, …
     int scroll_to = 0;              // id of the row to scroll to; 0: none
+    float name_width = 200.0F;      // of the column of names, px
     bool pressed_with_key = false;  // Ctrl or Shift, which may be released before the button
 };
 
@@ -31,6 +32,7 @@ struct ObjectsActions {
     int clicked = 0;
     bool add_to_selection = false;  // with Ctrl
     int frame = 0;                  // double click: frame the object in the viewport
+    int right_clicked = 0;
     int toggle_hidden = 0;
     int toggle_target = 0;
     bool make_target = false;  // whether `toggle_target` becomes a target

@@ -39,6 +39,7 @@ Block mouseBlock() {
              {"Select what lies behind it", "Click again"},
              {"List what lies there", "Alt+Click"},
              {"Add to the selection", "Ctrl+Click"},
+             {"Menu of the selection", "Right click"},
              {"Select with a box", "B, Left drag"},
              {"Add with a box", "B, Shift+Left drag"},
              {"Take out with a box", "B, Ctrl+Left drag"},
