@@ -17,7 +17,7 @@ namespace dollytrack {
 namespace {
 
 constexpr double kNearby = 4.0;       // m: largest gap between objects of one building
-constexpr double kTooWide = 2.0;      // times the rest's extent: a ground or sky
+constexpr double kTooWide = 2.2;      // times the rest's extent: a ground or sky
 constexpr double kTooWideFlat = 1.6;  // the same for a flat object: a ground plane
 // A building of one mesh, in contrast to a sky or a landscape: its bottom is at the feet of the
 // objects in it, and it has the height of a few storeys.
@@ -102,12 +102,10 @@ struct SortedItems {
     std::size_t surrounding_count = 0;  // the first ones
 };
 
-SortedItems sortItems(const std::vector<Object>& objects) {
+SortedItems sortItems(const std::vector<Object>& objects, std::vector<Item> items_of_objects) {
     SortedItems sorted;
     std::vector<Item>& items = sorted.items;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        items.push_back({i, worldBounds(objects[i].box)});
-    }
+    items = std::move(items_of_objects);
     const auto planSize = [](const Item& item) {
         return std::max(item.box.sizes().x(), item.box.sizes().y());
     };
@@ -144,6 +142,16 @@ SortedItems sortItems(const std::vector<Object>& objects) {
     }
     sorted.surrounding_count = first;
     return sorted;
+}
+
+/// The bounds of an object: of its vertices, because those of a turned box would reach beyond.
+Eigen::AlignedBox3d boundsOfObject(const Scene& scene, const Object& object) {
+    if (object.box.yaw == 0.0) return worldBounds(object.box);
+    Eigen::AlignedBox3d bounds;
+    for (std::uint32_t i = 0; i < object.vertex_count; ++i) {
+        bounds.extend(scene.positions[object.first_vertex + i].cast<double>());
+    }
+    return bounds;
 }
 
 /// The horizontal directions from a point in which a surface stands.
@@ -260,13 +268,21 @@ Eigen::AlignedBox3d worldBounds(const OrientedBox& box) {
 
 Eigen::AlignedBox3d findRoomBounds(const std::vector<Object>& objects) {
     if (objects.empty()) return {};
-    const SortedItems sorted = sortItems(objects);
+    std::vector<Item> items;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        items.push_back({i, worldBounds(objects[i].box)});
+    }
+    const SortedItems sorted = sortItems(objects, std::move(items));
     return groupsOf(sorted.items, sorted.surrounding_count).front().bounds;
 }
 
 Eigen::AlignedBox3d findRoomBounds(const Scene& scene, std::vector<std::string>& left_out) {
     if (scene.objects.empty()) return {};
-    const SortedItems sorted = sortItems(scene.objects);
+    std::vector<Item> items;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        items.push_back({i, boundsOfObject(scene, scene.objects[i])});
+    }
+    const SortedItems sorted = sortItems(scene.objects, std::move(items));
     const std::vector<Group> groups = groupsOf(sorted.items, sorted.surrounding_count);
     std::vector<bool> counts(scene.objects.size(), false);
     Eigen::AlignedBox3d bounds;

@@ -195,8 +195,13 @@ std::string describeScene(const Scene& scene) {
                        2.0 * object.box.half_size.y(), 2.0 * object.box.half_size.z()) +
                 std::string(frontSourceName(object.front_source)) + "\n";
     }
-    for (const std::string& name : scene.report.textures_missing) {
-        text += "\n  missing texture: " + name;
+    constexpr std::size_t kMostMissing = 12;
+    const std::vector<std::string>& missing = scene.report.textures_missing;
+    for (std::size_t i = 0; i < std::min(missing.size(), kMostMissing); ++i) {
+        text += "\n  missing texture: " + missing[i];
+    }
+    if (missing.size() > kMostMissing) {
+        text += "\n  missing textures: " + std::to_string(missing.size() - kMostMissing) + " more";
     }
     for (const std::string& note : scene.report.notes) text += "\n  note: " + note;
     return text + "\n";

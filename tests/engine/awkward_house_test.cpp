@@ -20,6 +20,7 @@ namespace {
 
 using test::find;
 using test::furnished;
+using test::imported;
 using test::importedText;
 using test::ObjWriter;
 using test::says;
@@ -159,6 +160,107 @@ TEST(AwkwardHouse, ARoomInOneMeshIsTakenApart) {
                       [](const Object& object) { return object.role == Role::Target; });
     EXPECT_EQ(targets, 4);
     EXPECT_TRUE(says(scene.report.warnings, "does not separate its objects"));
+}
+
+/// As in exports of Sweet Home 3D: all shapes of all furniture are numbered consecutively.
+TEST(AwkwardHouse, NumberedPiecesAreFurniture) {
+    ObjWriter obj(1.0, false);
+    int number = 0;
+    const auto next = [&](const std::string& name) -> ObjWriter& {
+        return obj.object(name + (name.empty() ? "" : "_") + std::to_string(++number));
+    };
+    next("ground").quad({0, 0, 0}, {5, 0, 0}, {5, 4, 0}, {0, 4, 0});
+    next("room_1").quad({0, 0, 0}, {5, 0, 0}, {5, 4, 0}, {0, 4, 0});
+    next("wall_1").box({0, 0, 0}, {5, 0.1, 2.5});
+    next("wall_2").box({0, 3.9, 0}, {5, 4, 2.5});
+    next("wall_3").box({0, 0, 0}, {0.1, 4, 2.5});
+    next("wall_4").box({4.9, 0, 0}, {5, 4, 2.5});
+    for (const double x : {1.0, 2.0}) {  // chairs, side by side
+        next("Pied").box({x, 1, 0}, {x + 0.04, 1.04, 0.45});
+        next("Pied_1").box({x + 0.36, 1, 0}, {x + 0.4, 1.04, 0.45});
+        next("Assise").box({x, 1, 0.45}, {x + 0.4, 1.4, 0.5});
+        next("Dossier").box({x, 1.4, 0.4}, {x + 0.4, 1.44, 0.95});
+    }
+    for (const double y : {1.0, 1.6}) {  // two hobs that touch; the burners stand on them
+        next("Corps").box({4.0, y, 0}, {4.6, y + 0.6, 0.85});
+        next("Feu").box({4.1, y + 0.1, 0.85}, {4.3, y + 0.3, 0.87});
+        next("Porte").box({3.98, y + 0.01, 0.1}, {4.0, y + 0.59, 0.8});
+    }
+    next("").box({1.0, 2.0, 0.1}, {2.4, 3.8, 0.3});  // a bed's frame
+    next("Matress_Cube").box({1.05, 2.05, 0.3}, {2.35, 3.75, 0.5});
+    next("Lampe").box({3.0, 3.0, 0}, {3.2, 3.2, 1.5});
+    const TempFolder folder;
+    const std::filesystem::path file = folder.write("home.obj", obj.text());
+    const auto scene = importScene(file);
+    ASSERT_TRUE(scene.has_value());
+    EXPECT_TRUE(says(scene->report.notes, "11 numbered pieces of furniture"));
+    int targets = 0;
+    for (const Object& object : scene->objects) targets += object.role == Role::Target;
+    EXPECT_EQ(targets, 6) << "two chairs, two hobs, a bed and a lamp";
+    const auto whole = [&](const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+        return std::ranges::any_of(scene->objects, [&](const Object& object) {
+            return (object.box.center - 0.5 * (low + high)).norm() < 1e-3 &&
+                   (object.box.half_size - 0.5 * (high - low)).norm() < 1e-3;
+        });
+    };
+    EXPECT_TRUE(whole({2.0, 1.0, 0.0}, {2.4, 1.44, 0.95}));
+    EXPECT_TRUE(whole({3.98, 1.6, 0.0}, {4.6, 2.2, 0.87}));
+    EXPECT_TRUE(whole({1.0, 2.0, 0.1}, {2.4, 3.8, 0.5})) << "the mattress is no floor";
+    ImportOptions apart;
+    apart.regroup = false;
+    const auto separate = importScene(file, apart);
+    ASSERT_TRUE(separate.has_value());
+    EXPECT_GT(separate->objects.size(), 20U);
+}
+
+TEST(AwkwardHouse, WhatStandsOnAFloorAboveTheWallsFeetIsNoPartOfIt) {
+    ObjWriter obj(1.0, false);
+    obj.object("Plane").quad({0, 0, 0}, {5, 0, 0}, {5, 4, 0}, {0, 4, 0});
+    obj.object("Plane.001").quad({0, 0, -2}, {5, 0, -2}, {5, 0, 3}, {0, 0, 3});
+    obj.object("Plane.002").quad({0, 0, -2}, {0, 4, -2}, {0, 4, 3}, {0, 0, 3});
+    obj.object("Cube").box({1, 1, -0.1}, {3, 1.8, 0.6});  // through the floor
+    for (int i = 0; i < 6; ++i) {
+        const double x = 0.5 + 0.7 * i;
+        obj.object("vase_" + std::to_string(i)).box({x, 3, 0}, {x + 0.3, 3.3, 0.4});
+    }
+    const TempFolder folder;
+    ImportOptions options;
+    options.up_axis = 'z';
+    const Scene scene = imported(folder.write("room.obj", obj.text()), options);
+    ASSERT_NE(find(scene, "Plane"), nullptr);
+    EXPECT_EQ(find(scene, "Plane")->nyu40, kNyuFloor);
+    ASSERT_NE(find(scene, "Cube"), nullptr);
+    EXPECT_NEAR(find(scene, "Cube")->box.half_size.head<2>().maxCoeff(), 1.0, 1e-3);
+}
+
+/// The box of a turned wall reaches farther than its corners.
+TEST(AwkwardHouse, TheRoomEndsWhereItsTurnedWallsDo) {
+    ObjWriter obj = furnished();
+    obj.object("wall_turned").quad({0, 0, 0}, {4, 4, 0}, {4, 4, 2.6}, {0, 0, 2.6});
+    obj.object("partition")
+        .quad({0.5, 1, 0}, {1, 0.5, 0}, {1, 0.5, 2}, {0.5, 1, 2})
+        .quad({4.5, 3.8, 0}, {4.6, 3.7, 0}, {4.6, 3.7, 2}, {4.5, 3.8, 2});
+    const Scene scene = importedText(obj.text());
+    EXPECT_NEAR(scene.room_bounds.sizes().x(), 5.0, 1e-3);
+    EXPECT_NEAR(scene.room_bounds.sizes().y(), 4.0, 1e-3);
+}
+
+TEST(AwkwardHouse, TexturesAreFoundInOtherFoldersIfGiven) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("textures/oak.ppm", "P6\n1 1\n255\n" + std::string(3, '\x80')));
+    static_cast<void>(folder.write("scene/room.mtl", "newmtl oak\nmap_Kd ../textures/oak.ppm\n"));
+    const std::filesystem::path file =
+        folder.write("scene/room.obj", "mtllib room.mtl\nusemtl oak\n" + furnished().text());
+    const auto without = importScene(file);
+    ASSERT_TRUE(without.has_value());
+    EXPECT_EQ(without->report.textures_missing.size(), 1U);
+    EXPECT_TRUE(says(without->report.notes, "give another folder with --models"));
+    ImportOptions options;
+    options.model_folders = {folder.path() / "textures"};
+    const auto with = importScene(file, options);
+    ASSERT_TRUE(with.has_value());
+    EXPECT_EQ(with->report.textures_found, 1);
+    EXPECT_TRUE(with->report.textures_missing.empty());
 }
 
 TEST(AwkwardHouse, ARoomWithoutTargetsIsNoted) {

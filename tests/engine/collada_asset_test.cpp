@@ -45,6 +45,49 @@ TEST(ColladaAsset, ReadsNothingBeyondACut) {
     }
 }
 
+std::string mendedCounts(const std::string& collada) {
+    std::vector<std::uint8_t> text(collada.begin(), collada.end());
+    static_cast<void>(mendArrayCounts(text));
+    return {text.begin(), text.end()};
+}
+
+TEST(ColladaCounts, AreThoseOfTheValues) {
+    const auto source = [](const std::string& array_count, const std::string& accessor) {
+        return "<source><float_array id=\"a\" count=\"" + array_count +
+               "\"> 1 2 3\n4 5 6 </float_array><accessor source=\"#a\" " + accessor +
+               "><param name=\"X\"/><param/><param/></accessor></source>";
+    };
+    const std::string right = source("6", "count=\"2\" stride=\"3\"");
+    EXPECT_EQ(mendedCounts(right), right);
+    // LeoCAD counts vertices; others may count too much.
+    for (const std::string wrong : {"2", "7", "4294967296000", "-1", "x", ""}) {
+        EXPECT_EQ(mendedCounts(source(wrong, "count=\"2\" stride=\"3\"")), right) << wrong;
+    }
+    // Accessors end with their arrays.
+    for (const std::string wrong : {"3", "99999999999999999999", "-1"}) {
+        EXPECT_EQ(mendedCounts(source("6", "count=\"" + wrong + "\" stride=\"3\"")), right)
+            << wrong;
+    }
+    EXPECT_EQ(mendedCounts(source("6", "count=\"2\" offset=\"1\" stride=\"3\"")),
+              source("6", "count=\"1\" offset=\"1\" stride=\"3\""));
+    EXPECT_EQ(mendedCounts(source("6", "count='6' offset='5'")),
+              source("6", "count='0' offset='5'"));
+    // Three parameters with a stride of 1 overlap.
+    EXPECT_EQ(mendedCounts(source("6", "count='6'")), source("6", "count='4'"));
+    for (const std::string nothing :
+         {"<float_array count='2'", "<float_array/>", "<accessor count='3'>", "<accessor", "",
+          "<accessor source='#b' count='3'/>", "<!-- <float_array count='2'>1</float_array> -->"}) {
+        EXPECT_EQ(mendedCounts(nothing), nothing) << nothing;
+    }
+}
+
+TEST(ColladaCounts, ReadLargeTextsOnce) {
+    std::string tags;
+    while (tags.size() < 2'000'000)
+        tags += "<accessor source='#a' count='1'/><float_array id='a'/>";
+    EXPECT_NE(mendedCounts(tags), tags);
+}
+
 TEST(ColladaIndices, NamesTheLineOfAListThatIsNotOfWholeNumbers) {
     const auto inTriangles = [](const std::string& list) {
         return lineOfBadIndices("<COLLADA>\n<triangles count=\"1\">\n" + list + "</triangles>");

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -165,6 +166,58 @@ bool isMaterialStatement(std::string_view line) {
     return !value.empty() && isDigit(static_cast<std::uint8_t>(value.front()));
 }
 
+struct TextRange {
+    std::size_t begin = 0;
+    std::size_t size = 0;
+};
+
+/// An <accessor> of a Collada file.
+struct Accessor {
+    std::string_view source;  // id of the array
+    TextRange count_at;
+    std::size_t count = 0;
+    std::size_t offset = 0;
+    std::size_t stride = 1;
+    std::size_t params = 0;
+};
+
+/// The value of an attribute in the tag from `begin` to `end` of a text.
+std::optional<TextRange> attributeIn(std::string_view text, std::size_t begin, std::size_t end,
+                                     std::string_view name) {
+    constexpr std::string_view kBlanks = " \t\r\n";
+    const std::string_view tag = text.substr(begin, end - begin);
+    for (std::size_t at = tag.find(name, 1); at != tag.npos; at = tag.find(name, at + 1)) {
+        if (kBlanks.find(tag[at - 1]) == kBlanks.npos) continue;
+        const std::size_t equals = tag.find_first_not_of(kBlanks, at + name.size());
+        if (equals == tag.npos || tag[equals] != '=') continue;
+        const std::size_t quote = tag.find_first_not_of(kBlanks, equals + 1);
+        if (quote == tag.npos || (tag[quote] != '"' && tag[quote] != '\'')) return std::nullopt;
+        const std::size_t close = tag.find(tag[quote], quote + 1);
+        if (close == tag.npos) return std::nullopt;
+        return TextRange{begin + quote + 1, close - quote - 1};
+    }
+    return std::nullopt;
+}
+
+/// A whole number, or the largest number for any other text, which no array can have.
+std::size_t countIn(std::string_view text) {
+    std::size_t count = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), count);
+    const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
+    return whole ? count : std::numeric_limits<std::uint32_t>::max();
+}
+
+std::size_t wordsIn(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t\r\n";
+    std::size_t words = 0;
+    for (std::size_t at = text.find_first_not_of(kBlanks); at != text.npos;) {
+        ++words;
+        const std::size_t blank = text.find_first_of(kBlanks, at);
+        at = blank == text.npos ? blank : text.find_first_not_of(kBlanks, blank);
+    }
+    return words;
+}
+
 }  // namespace
 
 void ModelTextRepairs::noteMaterial(const std::filesystem::path& file, bool opened) {
@@ -268,6 +321,71 @@ bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text) {
     return true;
 }
 
+bool mendArrayCounts(std::vector<std::uint8_t>& text) {
+    const std::string_view collada(reinterpret_cast<const char*>(text.data()), text.size());
+    std::map<std::string_view, std::size_t> length_of;  // of arrays, by id
+    std::vector<Accessor> accessors;
+    std::vector<std::pair<TextRange, std::size_t>> corrections;  // values of count attributes
+    bool in_accessor = false;
+    std::size_t end = 0;
+    for (std::size_t at = collada.find('<'); at != collada.npos; at = collada.find('<', end)) {
+        end = markupEnd(collada, at);
+        if (end == collada.npos) return false;  // no XML; assimp refuses it
+        const std::string_view tag = collada.substr(at, end - at);
+        const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/>") - 1);
+        const auto valueOf = [&](std::string_view attribute) {
+            return attributeIn(collada, at, end, attribute);
+        };
+        const auto numberOf = [&](std::string_view attribute, std::size_t otherwise) {
+            const std::optional<TextRange> range = valueOf(attribute);
+            return range ? countIn(collada.substr(range->begin, range->size)) : otherwise;
+        };
+        if (name == "float_array" || name == "Name_array" || name == "IDREF_array") {
+            const bool empty = tag.ends_with("/>");
+            const std::size_t close = empty ? end : std::min(collada.find('<', end), text.size());
+            const std::size_t length = wordsIn(collada.substr(end, close - end));
+            if (const auto id = valueOf("id")) {
+                length_of[collada.substr(id->begin, id->size)] = length;
+            }
+            const auto count = valueOf("count");
+            if (count && numberOf("count", 0) != length) corrections.push_back({*count, length});
+        } else if (name == "accessor") {
+            const auto source = valueOf("source");
+            const auto count = valueOf("count");
+            in_accessor = source && count && !tag.ends_with("/>");
+            if (!source || !count) continue;
+            std::string_view id = collada.substr(source->begin, source->size);
+            if (id.starts_with('#')) id.remove_prefix(1);
+            accessors.push_back({id, *count, numberOf("count", 0), numberOf("offset", 0),
+                                 std::max<std::size_t>(1, numberOf("stride", 1)), 0});
+        } else if (name == "param" && in_accessor) {
+            ++accessors.back().params;
+        } else if (tag.starts_with("</accessor")) {
+            in_accessor = false;
+        }
+    }
+    for (const Accessor& accessor : accessors) {
+        const auto array = length_of.find(accessor.source);
+        if (array == length_of.end()) continue;
+        const std::size_t last = accessor.offset + std::max(accessor.stride, accessor.params);
+        const std::size_t most =
+            array->second < last ? 0 : (array->second - last) / accessor.stride + 1;
+        if (accessor.count > most) corrections.push_back({accessor.count_at, most});
+    }
+    if (corrections.empty()) return false;
+    std::ranges::sort(corrections, {}, [](const auto& one) { return one.first.begin; });
+    std::string mended;
+    std::size_t done = 0;
+    for (const auto& [range, count] : corrections) {
+        mended += collada.substr(done, range.begin - done);
+        mended += std::to_string(count);
+        done = range.begin + range.size;
+    }
+    mended += collada.substr(done);
+    text.assign(mended.begin(), mended.end());
+    return true;
+}
+
 std::size_t lineOfBadIndices(std::string_view collada) {
     static constexpr std::array<std::string_view, 7> kPrimitives = {
         "triangles", "polylist", "polygons", "lines", "linestrips", "trifans", "tristrips"};
@@ -314,6 +432,7 @@ Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extensio
                 return nullptr;
             }
             changed = removeBlanksBeforeColors(text);
+            changed = mendArrayCounts(text) || changed;
         } else if (material) {
             changed = dropUnknownMaterialLines(text);
         } else {

@@ -49,6 +49,11 @@ bool dropUnknownMaterialLines(std::vector<std::uint8_t>& text);
 /// whether there were any.
 bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text);
 
+/// Corrects the counts of the arrays in a Collada text, which LeoCAD writes as numbers of vertices,
+/// and lowers those of accessors that reach beyond their arrays. assimp trusts both, and would read
+/// beyond the memory of the array. Returns whether any count was wrong.
+bool mendArrayCounts(std::vector<std::uint8_t>& text);
+
 /// The line of the first index list (<p> of a Collada file's <triangles>, <polylist> and so on)
 /// that contains anything but whole numbers, counted from 1; 0 if there is none or the text is not
 /// XML. assimp 5.2 reads such a list without end. Comments and other markup within a list count as

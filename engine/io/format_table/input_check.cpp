@@ -84,6 +84,12 @@ std::string_view adviceForJson(std::string_view head) {
         return std::ranges::all_of(
             keys, [&](std::string_view key) { return head.find(key) != head.npos; });
     };
+    if (all({"\"assetId\"", "\"object_selection_plan\""}) ||
+        all({"\"assetId\"", "\"floor_objects\""})) {
+        return "this is a house of Holodeck, which names models of Objaverse without containing "
+               "them; load it in AI2-THOR with its Objaverse assets, and export it as glTF from "
+               "Unity";
+    }
     if (all({"\"proceduralParameters\""}) || all({"\"assetId\"", "\"room0\""}) ||
         all({"\"roomType\"", "\"floorPolygon\""})) {
         return "this is a house of ProcTHOR (AI2-THOR), whose meshes are in Unity's files; use the "
@@ -269,8 +275,8 @@ Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) 
     if (extension == ".xml" && head.find("<mujoco") != std::string_view::npos) {
         return fail(
             ErrorCode::BadInput,
-            "MuJoCo models cannot be read; convert the model to URDF, or name one of its mesh "
-            "files (.obj, .stl)",
+            "MuJoCo models cannot be read; open its mesh files (.obj, .stl) in Blender, place "
+            "them, and export glTF, or use the same scene as URDF if there is one",
             where);
     }
     std::string kinds;

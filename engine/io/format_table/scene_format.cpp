@@ -67,9 +67,11 @@ Result<RawScene> readAnyModel(const std::filesystem::path& path, const ImportOpt
 
 std::vector<std::filesystem::path> modelInputs(const std::filesystem::path& path,
                                                const ImportOptions& options) {
+    std::vector<std::filesystem::path> inputs = options.model_folders;  // with textures
     const Result<std::filesystem::path> folder = annotationsFor(path, options);
-    if (!folder || folder->empty()) return {};
-    return hypersimInputs(*folder);
+    if (!folder || folder->empty()) return inputs;
+    std::ranges::copy(hypersimInputs(*folder), std::back_inserter(inputs));
+    return inputs;
 }
 
 constexpr double kCloudWork = 8.0;
@@ -114,7 +116,7 @@ bool likeZip(std::string_view head) {
 
 const std::vector<SceneFormat>& sceneFormats() {
     static const std::vector<SceneFormat> formats = {
-        {"an OBJ file", {".obj"}, anything, readAnyModel, modelInputs},
+        {"an OBJ file", {".obj"}, anything, readAnyModel, modelInputs, false, 1.0, false, 'y'},
         {"an FBX file", {".fbx"}, anything, readAnyModel, modelInputs},
         {"a glTF file", {".gltf"}, likeGltf, readAnyModel, modelInputs},
         {"a GLB file", {".glb"}, likeGlb, readAnyModel, modelInputs},

@@ -32,6 +32,8 @@ struct SceneFormat {
     double work = 1.0;
     /// Whether the specification defines unit and up axis, which are then not questioned.
     bool frame_is_specified = false;
+    /// The up axis of most files if the specification defines none; unknown if there is none.
+    UpAxis usual_up = {};
 };
 
 /// All supported formats. Of several with the same extension, the first that recognizes the content

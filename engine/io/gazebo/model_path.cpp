@@ -48,11 +48,13 @@ std::string nameIn(const fs::path& config) {
     return file;
 }
 
-/// Removes a scheme: "model://chair/chair.dae" becomes "chair/chair.dae". Returns whether `uri` had
-/// it.
+/// Removes a scheme: "model://chair/chair.dae" becomes "chair/chair.dae", also with three slashes.
+/// Returns whether `uri` had it.
 bool takeScheme(std::string& uri, std::string_view scheme) {
     if (!uri.starts_with(scheme)) return false;
-    uri.erase(0, scheme.size());
+    const std::size_t path = uri.find_first_not_of('/', scheme.size());
+    // A file's address may be an absolute path.
+    uri.erase(0, scheme == "file://" ? scheme.size() : std::min(path, uri.size()));
     return true;
 }
 
@@ -105,7 +107,10 @@ std::vector<fs::path> ModelPath::filesIn(const fs::path& folder, const std::stri
     std::string name = percentDecoded(uri);
     for (const char* scheme : {"package://", "model://", "file://"}) takeScheme(name, scheme);
     std::vector<fs::path> files;
-    for (const fs::path& root : rootsFor(folder)) {
+    std::vector<fs::path> roots = files_.folders();
+    const std::vector<fs::path> above = foldersAround(folder);
+    roots.insert(roots.end(), above.begin(), above.end());
+    for (const fs::path& root : roots) {
         const fs::path around = absoluteNormal(root / fs::path(name).relative_path());
         const Result<std::vector<std::string>> names = files_.namesIn(around);
         if (!names || names->empty()) continue;

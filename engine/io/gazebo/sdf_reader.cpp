@@ -87,12 +87,15 @@ class SdfReader {
             into.insert(into.end(), links_[i].visuals.begin(), links_[i].visuals.end());
         }
         std::map<std::string, std::set<std::string>> models_with;  // by the link's name
+        std::map<const Scope*, int> model_numbers;
         for (std::size_t i = 0; i < objects.size(); ++i) {
             models_with[objects[i].name].insert(scopes[i]->name);
         }
         for (std::size_t i = 0; i < objects.size(); ++i) {
             std::string& name = objects[i].name;
             const std::string& model = scopes[i]->name;
+            objects[i].model = model;
+            objects[i].model_number = model_numbers.try_emplace(scopes[i], i).first->second;
             const bool says_little = isPlainLinkName(name) || models_with[name].size() > 1;
             if (objects_in[scopes[i]] == 1) {
                 name = model;

@@ -1,12 +1,14 @@
 #include "engine/io/gazebo/visuals.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/disjoint_sets.h"
 #include "engine/core/object_names.h"
 #include "engine/core/text_lists.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/gazebo/fuel_uri.h"
 #include "engine/io/gazebo/shape_scene.h"
 #include "engine/io/raw_scene/model_placement.h"
+#include "engine/scene/labels.h"
 
 #include <algorithm>
 #include <iterator>
@@ -108,8 +110,13 @@ class SceneOfLinks {
                                     : placeShape(visual, object);
                 if (!placed) return tl::unexpected(placed.error());
             }
+            separateGround(link, object);
             noteMissing(link, missing, object);
-            if (!object.parts.empty()) scene_.objects.push_back(std::move(object));
+            if (object.parts.empty()) continue;
+            if (link.model_number >= 0) {
+                model_of_[scene_.objects.size()] = {link.model_number, link.model};
+            }
+            scene_.objects.push_back(std::move(object));
         }
         return finish();
     }
@@ -297,6 +304,74 @@ class SceneOfLinks {
         scene_.objects.clear();
     }
 
+    /// Makes a ground plane an object of its own: a link that contains it besides walls would be
+    /// as wide as the plane, and no building.
+    void separateGround(const LinkObject& link, SourceObject& object) {
+        constexpr double kWide_m = 40.0;
+        const bool has_plane = std::ranges::any_of(link.visuals, [](const Visual& visual) {
+            return visual.shape == Visual::Shape::Plane;
+        });
+        if (!has_plane || link.visuals.size() < 2) return;
+        SourceObject ground;
+        const auto is_ground = [&](std::size_t part) {
+            const Eigen::Vector3f size = scene_.parts[part].bounds.sizes();
+            return size.z() == 0.0F && size.head<2>().minCoeff() > kWide_m;
+        };
+        std::ranges::copy_if(object.parts, std::back_inserter(ground.parts), is_ground);
+        if (ground.parts.empty() || ground.parts.size() == object.parts.size()) return;
+        std::erase_if(object.parts, is_ground);
+        ground.name = object.name + " ground";
+        ground.nyu40 = kNyuFloor;
+        ground.structure = true;
+        scene_.objects.push_back(std::move(ground));
+    }
+
+    /// Joins the objects of a model that is one thing: as large as furniture, of a few links that
+    /// touch each other, such as the top and the pedestal of a table.
+    void joinModels() {
+        constexpr std::size_t kMostParts = 12;
+        constexpr float kLargest_m = 3.5F;  // diagonal
+        constexpr float kGap_m = 0.02F;
+        if (scene_.objects.empty()) return;
+        std::map<std::pair<int, std::string>, std::vector<std::size_t>> objects_of;
+        for (const auto& [object, model] : model_of_) objects_of[model].push_back(object);
+        std::vector<bool> joined(scene_.objects.size(), false);
+        for (const auto& [model, objects] : objects_of) {
+            if (objects.size() < 2 || objects.size() > kMostParts || model.second.empty()) continue;
+            std::vector<Eigen::AlignedBox3f> boxes;
+            Eigen::AlignedBox3f whole;
+            for (const std::size_t object : objects) {
+                Eigen::AlignedBox3f& box = boxes.emplace_back();
+                for (const std::size_t part : scene_.objects[object].parts) {
+                    box.extend(scene_.parts[part].bounds);
+                }
+                whole.extend(box);
+            }
+            if (whole.diagonal().norm() > kLargest_m) continue;
+            DisjointSets<> sets(boxes.size());
+            for (std::size_t i = 0; i < boxes.size(); ++i) {
+                for (std::size_t j = 0; j < i; ++j) {
+                    if (boxes[i].exteriorDistance(boxes[j]) <= kGap_m) sets.join(i, j);
+                }
+            }
+            bool one = true;
+            for (std::size_t i = 0; i < boxes.size(); ++i) one = one && sets.find(i) == 0;
+            if (!one) continue;
+            SourceObject& first = scene_.objects[objects.front()];
+            first.name = model.second;
+            for (std::size_t i = 1; i < objects.size(); ++i) {
+                const std::vector<std::size_t>& parts = scene_.objects[objects[i]].parts;
+                first.parts.insert(first.parts.end(), parts.begin(), parts.end());
+                joined[objects[i]] = true;
+            }
+        }
+        std::vector<SourceObject> rest;
+        for (std::size_t i = 0; i < joined.size(); ++i) {
+            if (!joined[i]) rest.push_back(std::move(scene_.objects[i]));
+        }
+        scene_.objects = std::move(rest);
+    }
+
     static tl::unexpected<Error> cancelled() {
         return fail(ErrorCode::Cancelled, "import was cancelled");
     }
@@ -372,6 +447,7 @@ class SceneOfLinks {
             return fail(ErrorCode::BadInput, message, where_);
         }
         splitBuilding();
+        joinModels();
         return std::move(scene_);
     }
 
@@ -392,6 +468,7 @@ class SceneOfLinks {
     std::map<std::size_t, Submeshes> submeshes_;
     /// Indices of materials by the original material's index, colour, opacity and texture.
     std::map<std::tuple<std::uint32_t, float, float, float, float, int>, std::uint32_t> painted_;
+    std::map<std::size_t, std::pair<int, std::string>> model_of_;  // number and name, by object
     std::map<fs::path, int> textures_;                 // of visuals: their indices by file
     std::map<std::size_t, std::string> name_in_mesh_;  // the node's name in the file, by part
     OmittedParts left_out_;                            // models include meshes that were not found

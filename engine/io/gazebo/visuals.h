@@ -49,6 +49,8 @@ struct OmittedParts {
 struct LinkObject {
     std::string name;  // clean text
     std::vector<Visual> visuals;
+    std::string model = {};  // clean text; empty: none
+    int model_number = -1;   // the same for all links of a model; -1: none
 };
 
 /// Builds a scene of the links: z up, metres. Missing meshes and submeshes, and the parts in

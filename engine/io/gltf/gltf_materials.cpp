@@ -70,7 +70,7 @@ class TextureList {
         if (elsewhere_ > 0) {
             raw_.notes.push_back(
                 counted(elsewhere_, "texture map was", "texture maps were") +
-                " left out because its texture coordinates differ from those of the base colour");
+                " left out, with texture coordinates that differ from those of the base colour");
         }
     }
 

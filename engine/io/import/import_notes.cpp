@@ -117,9 +117,10 @@ void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, Impo
         std::string list;
         for (const std::string& name : proxies) list += (list.empty() ? "" : ", ") + name;
         report.notes.push_back(
-            counted(proxies.size(),
-                    "mesh is a collision shape or navigation mesh and was left out: ",
-                    "meshes are collision shapes or navigation meshes and were left out: ") +
+            counted(
+                proxies.size(),
+                "mesh is a collision shape, a navigation mesh or a cutter and was left out: ",
+                "meshes are collision shapes, navigation meshes or cutters and were left out: ") +
             list);
     }
     if (twice > 0) {

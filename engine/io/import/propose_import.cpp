@@ -64,7 +64,13 @@ void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal
     const double unit_m = scene.report.unit_m;
     // With a wrong up axis, measured heights are not heights.
     const UpAxis up = proposal.up_axis ? scoreUpAxes(evidence).front().axis : kWorldUp;
-    const UnitEvidence sizes = measureForUnit(evidence, up, unit_m);
+    UnitEvidence sizes = measureForUnit(evidence, up, unit_m);
+    // The core leaves out the highest of few objects, such as a cupboard between low walls.
+    const double whole = scene.room_bounds.sizes().z() / unit_m;
+    if (up == kWorldUp && sizes.room_height == 0.0 && sizes.height * unit_m < kLowestRoom_m &&
+        whole * unit_m >= kLowestRoom_m && whole * unit_m <= kHighestRoom_m) {
+        sizes.height = sizes.storey_height = whole;
+    }
     if (!isUnitDoubtful(sizes, unit_m)) return;
     const UnitScore score = scoreUnit(sizes, unit_m);
     const double likelier = likeliestUnit(sizes);

@@ -24,11 +24,13 @@ std::string plainName(const std::string& name) {
 }
 
 Proxy judge(const std::string& name) {
-    static constexpr std::array<std::string_view, 4> kPrefixes = {"ucx_", "ubx_", "usp_", "ucp_"};
+    static constexpr std::array<std::string_view, 6> kPrefixes = {"ucx_", "ubx_",      "usp_",
+                                                                  "ucp_", "ctrl_hole", "hitbox"};
     static constexpr std::array<std::string_view, 7> kSuffixes = {
         "_collision", "_collider", "_colonly", "-colonly", "-convcolonly", "navmesh", "nav_mesh"};
     // These may also be real objects (a boat's hull), so they must coincide with another part.
-    static constexpr std::array<std::string_view, 3> kDoubtful = {"_col", "_hull", "_physics"};
+    static constexpr std::array<std::string_view, 4> kDoubtful = {"_col", "_hull", "_physics",
+                                                                  "trigger"};
     const std::string plain = plainName(name);
     const auto begins = [&](std::string_view part) { return plain.starts_with(part); };
     const auto ends = [&](std::string_view part) { return plain.ends_with(part); };

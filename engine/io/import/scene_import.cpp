@@ -16,6 +16,7 @@
 #include "engine/io/import/structure_finder.h"
 #include "engine/io/object_parts/material_meshes.h"
 #include "engine/io/object_parts/material_split.h"
+#include "engine/io/object_parts/numbered_pieces.h"
 #include "engine/io/object_parts/object_grouping.h"
 #include "engine/io/object_parts/piece_merge.h"
 #include "engine/io/object_parts/piece_split.h"
@@ -117,6 +118,12 @@ void regroupMaterialSplit(const RawScene& raw, bool regroup, std::vector<ObjectD
 void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
                  std::vector<ObjectDraft>& drafts, ImportReport& report) {
     dropNamesOfJoinedScenes(raw, drafts);
+    if (const std::size_t joined = regroup ? joinNumberedPieces(raw, drafts) : 0; joined > 0) {
+        report.notes.push_back(fmt::format(
+            "{} numbered pieces of furniture, as Sweet Home 3D exports them, were joined "
+            "to those that they are attached to (--keep-meshes leaves them apart)",
+            joined));
+    }
     MaterialMeshes meshes = regroupMaterialMeshes(raw, labels, drafts, regroup);
     const std::size_t scattered = regroup ? splitScattered(raw, labels, drafts) : 0;
     if (scattered > 0) {
@@ -196,7 +203,7 @@ Status checkOptions(const ImportOptions& options) {
 FrameChoice frameOf(const RawScene& raw, const SceneFormat& format,
                     const std::vector<ObjectDraft>& drafts, const ImportOptions& options) {
     if (!format.frame_is_specified) {
-        return chooseFrame(raw, drafts, options.unit_m, options.up_axis);
+        return chooseFrame(raw, drafts, options.unit_m, options.up_axis, format.usual_up);
     }
     const UpAxis up = options.up_axis.value_or(raw.file_up_axis);
     FrameChoice frame = chooseFrame(raw, drafts, options.unit_m ? options.unit_m : raw.file_unit_m,
@@ -300,6 +307,11 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.textures = std::move(textures.textures);
     scene.report.textures_found = textures.found;
     scene.report.textures_missing = textures.missing;
+    if (!textures.missing.empty()) {
+        scene.report.notes.push_back(
+            "missing textures were searched for below the scene's folder; give another folder with "
+            "--models");
+    }
     for (const std::string& name : textures.broken) {
         scene.report.warnings.push_back("the texture " + name + " cannot be decoded");
     }

@@ -16,10 +16,11 @@
 namespace dollytrack {
 namespace {
 
-constexpr float kNearGap = 0.03F;       // m: largest gap to the object of an unattached piece
-constexpr float kCrumb = 0.05F;         // m: smaller pieces of a split mesh are no objects
-constexpr float kBothLarge = 1.2F;      // m: smallest diagonal of furniture side by side
-constexpr float kLargestObject = 3.5F;  // m: largest diagonal of a merged object
+constexpr float kNearGap = 0.03F;        // m: largest gap to the object of an unattached piece
+constexpr float kCrumb = 0.05F;          // m: smaller pieces of a split mesh are no objects
+constexpr float kBothLarge = 1.2F;       // m: smallest diagonal of furniture side by side
+constexpr float kLargestObject = 3.5F;   // m: largest diagonal of a merged object
+constexpr float kLargestFitting = 0.6F;  // m: largest diagonal of a piece of something larger
 
 struct Piece {
     Eigen::AlignedBox3f box;
@@ -110,7 +111,13 @@ class Groups {
         if (a == b) return;
         if (!certain && (standSideBySide(boxes_[a], boxes_[b]) || areOfTwoObjects(a, b))) return;
         const Eigen::AlignedBox3f together = boxes_[a].merged(boxes_[b]);
-        const float largest = std::max(boxes_[a].diagonal().norm(), boxes_[b].diagonal().norm());
+        const auto [smallest, largest] =
+            std::minmax({boxes_[a].diagonal().norm(), boxes_[b].diagonal().norm()});
+        // Pieces of split meshes have no better object to join.
+        const bool whole_meshes = !drafts_[a].loose && !drafts_[b].loose;
+        if (whole_meshes && largest > kLargestObject && smallest > kLargestFitting && !certain) {
+            return;
+        }
         if (together.diagonal().norm() > std::max(kLargestObject, 1.05F * largest)) return;
         const auto [first, second] = std::minmax(a, b);
         groups_.join(first, second);

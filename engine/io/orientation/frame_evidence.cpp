@@ -208,8 +208,19 @@ FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft
 }
 
 FrameEvidence collectEvidence(const Scene& scene, bool classes_by_shape) {
+    constexpr double kMargin_m = 0.05;
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kMargin_m);
+    const Eigen::AlignedBox3d& room = scene.room_bounds;
+    const Eigen::AlignedBox3d around(room.min() - margin, room.max() + margin);
     std::vector<Source> sources;
     for (const Object& object : scene.objects) {
+        // Grounds, skies and what stands outside say nothing about rooms.
+        const bool inside = around.contains(object.box.center - object.box.half_size) ||
+                            around.contains(object.box.center);
+        if (!room.isEmpty() && !inside) continue;
+        if (!room.isEmpty() &&
+            (2.0 * object.box.half_size.array() > 1.5 * room.sizes().array() + 0.1).any())
+            continue;
         Source& source = sources.emplace_back();
         source.object.nyu40 = object.nyu40;
         source.object.building = object.structure;

@@ -8,11 +8,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace dollytrack {
 namespace {
 
-constexpr double kSlightly = 0.15;     // smallest significant difference of up axis scores
+constexpr double kSlightly = 0.5;      // smallest significant difference of up axis scores
 constexpr double kDoubtfulLead = 0.7;  // lead from which another axis is proposed
 constexpr double kOverwhelming = 2.0;  // lead from which the file's axis is ignored
 
@@ -70,7 +71,7 @@ void weighFileAxis(const RawScene& raw, const FrameEvidence& evidence, FrameChoi
 }
 
 void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<UpAxis> given,
-              FrameChoice& choice) {
+              UpAxis usual_up, FrameChoice& choice) {
     if (given) {
         choice.up_axis = *given;
         choice.up_source = "given";
@@ -78,17 +79,23 @@ void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<
         return;
     }
     if (raw.file_up_axis.isAxis()) return weighFileAxis(raw, evidence, choice);
-    const std::vector<UpEvidence> ranked = rankUpright(evidence);
-    choice.up_axis = ranked[0].axis;
+    std::vector<UpEvidence> ranked = rankUpright(evidence);
     choice.up_source = "found by floors, ceilings and the objects on them";
+    const auto usual = std::ranges::find(ranked, usual_up, &UpEvidence::axis);
+    if (usual != ranked.end() && usual != ranked.begin() &&
+        ranked[0].score - usual->score < kSlightly) {
+        choice.up_source = "usual for the format";
+        std::rotate(ranked.begin(), usual, usual + 1);
+    }
+    choice.up_axis = ranked[0].axis;
     const std::string axis = choice.up_axis.text();
     const auto other = std::ranges::find_if(
         ranked, [&](const UpEvidence& one) { return one.axis.letter != choice.up_axis.letter; });
-    if (ranked[0].score - other->score < kSlightly) {
-        choice.warnings.push_back(
-            fmt::format("the upward axis is doubtful: {} is only slightly likelier than {}; pass "
-                        "--up {} if it is wrong",
-                        axis, other->axis.text(), other->axis.text()));
+    if (std::abs(ranked[0].score - other->score) < kSlightly) {
+        choice.warnings.push_back(fmt::format(
+            "the upward axis is doubtful: by floors, ceilings and the objects on them, "
+            "{} and {} are about equally likely; {} is used, pass --up {} if it is wrong",
+            axis, other->axis.text(), axis, other->axis.text()));
     } else if (choice.up_axis.negative) {
         choice.warnings.push_back(
             fmt::format("the file is upside down for its format: floors and the objects on them "
@@ -181,7 +188,9 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
     if (maybe_feet) {
         choice.unit_doubt = "the unit is doubtful: this may be a hall in metres (" + best.evidence +
                             "), or a room in feet";
-        choice.other_unit_m = 0.3048;
+        // A lower room would be as doubtful.
+        constexpr double kLowest_m = 2.2;
+        if (0.3048 * evidence.height >= kLowest_m) choice.other_unit_m = 0.3048;
     } else if (best.score < kDoubtfulScore) {
         choice.unit_doubt = "the unit is doubtful: no usual unit gives this scene a room's size";
     }
@@ -196,7 +205,8 @@ Eigen::Affine3d FrameChoice::worldFromSource() const {
 }
 
 FrameChoice chooseFrame(const RawScene& raw, const std::vector<ObjectDraft>& drafts,
-                        std::optional<double> given_unit_m, std::optional<UpAxis> given_up_axis) {
+                        std::optional<double> given_unit_m, std::optional<UpAxis> given_up_axis,
+                        UpAxis usual_up) {
     FrameChoice choice;
     if (given_unit_m && given_up_axis) {
         choice.unit_m = *given_unit_m;
@@ -206,7 +216,7 @@ FrameChoice chooseFrame(const RawScene& raw, const std::vector<ObjectDraft>& dra
         return choice;
     }
     const FrameEvidence evidence = collectEvidence(raw, drafts);
-    chooseUp(raw, evidence, given_up_axis, choice);
+    chooseUp(raw, evidence, given_up_axis, usual_up, choice);
     chooseUnit(raw, evidence, given_unit_m, choice);
     return choice;
 }

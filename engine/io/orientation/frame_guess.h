@@ -32,8 +32,11 @@ struct FrameChoice {
 
 /// Chooses unit and up axis: the given ones, otherwise the file's if the room's size is plausible
 /// and the evidence is not clearly for another axis, otherwise the most likely ones by the sizes of
-/// named objects, the room's height, floor-like surfaces and gravity. Doubts become warnings.
+/// named objects, the room's height, floor-like surfaces and gravity. Of two axes that are about
+/// equally likely, `usual_up` is used, the one that most files of the format have. Doubts become
+/// warnings.
 FrameChoice chooseFrame(const RawScene& raw, const std::vector<ObjectDraft>& drafts,
-                        std::optional<double> given_unit_m, std::optional<UpAxis> given_up_axis);
+                        std::optional<double> given_unit_m, std::optional<UpAxis> given_up_axis,
+                        UpAxis usual_up = {});
 
 }  // namespace dollytrack

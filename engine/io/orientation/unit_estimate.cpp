@@ -15,10 +15,9 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kLowestRoom_m = 1.8;
-constexpr double kHighestRoom_m = 6.0;
 constexpr double kUsualRoomLow_m = 2.2;
 constexpr double kUsualRoomHigh_m = 3.4;
+constexpr double kHighRoom_m = 4.5;  // of offices, schools and shops
 constexpr double kFactor = 1.6;     // largest deviation of furniture and room sizes from usual ones
 constexpr double kRoomShare = 0.3;  // of the height; the sides of a thick floor are nearer together
 constexpr double kFloorShare = 0.3;  // smallest area of a storey, relative to the largest floor
@@ -69,14 +68,15 @@ Vote voteOf(double size, double low_m, double high_m) {
     return {std::sqrt(low_m * high_m) / size, 1.0 / std::log(high_m / low_m)};
 }
 
-/// Weighted median of all votes, in metres per unit.
-double medianVote(const UnitEvidence& evidence, bool with_room) {
+/// Weighted median of all votes, in metres per unit. `highest_m`: of usual rooms; 0: only furniture
+/// votes.
+double medianVote(const UnitEvidence& evidence, double highest_m) {
     std::vector<Vote> votes;
     for (const auto& kind : evidence.kinds) {
         votes.push_back(voteOf(kind.size, kind.low_m, kind.high_m));
     }
-    if (with_room && evidence.storey_height > 0.0) {
-        votes.push_back(voteOf(evidence.storey_height, kUsualRoomLow_m, kUsualRoomHigh_m));
+    if (highest_m > 0.0 && evidence.storey_height > 0.0) {
+        votes.push_back(voteOf(evidence.storey_height, kUsualRoomLow_m, highest_m));
     }
     return weightedMedian(std::move(votes));
 }
@@ -154,19 +154,27 @@ bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m) {
         return likelier < kFactor * unit_m && unit_m < kFactor * likelier;
     };
     const double storey_m = evidence.storey_height * unit_m;
-    if (evidence.room_height > 0.0 && evidence.room_height * unit_m < kLowestRoom_m) return true;
+    // Levels that are nearer to each other may be those of tables.
+    constexpr double kWholeHeight = 0.7;
+    if (evidence.room_height > kWholeHeight * evidence.height &&
+        evidence.room_height * unit_m < kLowestRoom_m) {
+        return true;
+    }
     if (evidence.kinds.size() >= 3 && storey_m >= kLowestRoom_m && storey_m <= kHighestRoom_m &&
         scoreUnit(evidence, unit_m).furniture >= kUsualSizes) {
         return false;
     }
-    if (!near(medianVote(evidence, true))) return true;
-    if (evidence.kinds.size() >= 3 && near(medianVote(evidence, false))) return false;
+    constexpr std::size_t kEnoughKinds = 3;
+    const bool furnished = evidence.kinds.size() >= kEnoughKinds;
+    const bool may_be_high = furnished && storey_m <= kHighestRoom_m;
+    if (!near(medianVote(evidence, may_be_high ? kHighRoom_m : kUsualRoomHigh_m))) return true;
+    if (furnished && near(medianVote(evidence, 0.0))) return false;
     return evidence.height * unit_m < kLowestRoom_m ||
            evidence.storey_height * unit_m > kHighestRoom_m;
 }
 
 double likeliestUnit(const UnitEvidence& evidence) {
-    const double unit = medianVote(evidence, true);
+    const double unit = medianVote(evidence, kUsualRoomHigh_m);
     for (const double usual : kUsualUnits) {
         if (std::abs(std::log(unit / usual)) < std::log(1.25) && !isUnitDoubtful(evidence, usual)) {
             return usual;

@@ -9,6 +9,10 @@
 
 namespace dollytrack {
 
+/// Lower and higher rooms make a unit doubtful, m.
+inline constexpr double kLowestRoom_m = 1.8;
+inline constexpr double kHighestRoom_m = 6.0;
+
 /// Common units of scene files, m.
 inline constexpr std::array<double, 5> kUsualUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
 

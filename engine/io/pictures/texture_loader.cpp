@@ -110,7 +110,7 @@ void shareTextures(RawScene& scene) {
 }
 
 TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureRequest>& requests,
-                        const JobContext& job) {
+                        const std::vector<fs::path>& more_folders, const JobContext& job) {
     TextureSet set;
     set.textures.resize(requests.size());
     if (requests.empty()) return set;
@@ -123,6 +123,7 @@ TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureReq
     for (const TextureRequest& request : requests) {
         if (!request.embedded.empty()) continue;
         folders.try_emplace(folderOf(request), folderOf(request));
+        for (const fs::path& folder : more_folders) folders.try_emplace(folder, folder);
     }
 
     enum class State { Missing, Broken, Found };
@@ -142,10 +143,14 @@ TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureReq
         std::string bytes;
         std::span<const std::uint8_t> picture = request.embedded;
         if (picture.empty()) {
-            const PictureFolder& place = folders.at(folderOf(request));
-            const auto path = locate(request.name, request.only_there, place);
+            const PictureFolder* place = &folders.at(folderOf(request));
+            auto path = locate(request.name, request.only_there, *place);
+            for (std::size_t k = 0; !path && !request.only_there && k < more_folders.size(); ++k) {
+                place = &folders.at(more_folders[k]);
+                path = locate(request.name, false, *place);
+            }
             if (!path) return;
-            bytes = readBytes(place.files, *path);
+            bytes = readBytes(place->files, *path);
             picture = {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
         }
         const bool whole = decodePicture(picture, kLargestSide, request.opaque, texture);

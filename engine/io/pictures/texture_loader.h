@@ -22,9 +22,12 @@ void shareTextures(RawScene& scene);
 
 /// Finds and decodes the requested textures in parallel: embedded bytes, otherwise a file in the
 /// request's folder (by default that of `scene_path`) or its subfolders, also in another subfolder
-/// or in another case than written. Symbolic links out of the folder are not followed. Images with
-/// a side over 1024 px are scaled down by area averaging.
+/// or in another case than written, otherwise in the same way in `more_folders`. Symbolic links out
+/// of the folder are not followed. Images with a side over 1024 px are scaled down by area
+/// averaging.
 TextureSet loadTextures(const std::filesystem::path& scene_path,
-                        const std::vector<TextureRequest>& requests, const JobContext& job);
+                        const std::vector<TextureRequest>& requests,
+                        const std::vector<std::filesystem::path>& more_folders,
+                        const JobContext& job);
 
 }  // namespace dollytrack

@@ -10,7 +10,9 @@ Result<DecodedScene> readScene(const SceneFormat& format, const std::filesystem:
     if (!raw) return tl::unexpected(raw.error());
     DecodedScene scene{std::move(*raw), {}};
     shareTextures(scene.raw);
-    if (options.read_textures) scene.textures = loadTextures(path, scene.raw.textures, job);
+    if (options.read_textures) {
+        scene.textures = loadTextures(path, scene.raw.textures, options.model_folders, job);
+    }
     return scene;
 }
 

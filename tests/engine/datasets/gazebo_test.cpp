@@ -144,7 +144,8 @@ TEST(Gazebo, SavedWorldUsesThePosesOfItsState) {
     // Without <state>, everything is where it started.
     const Scene started = imported(folder.write("started.world", world(models)));
     expectBox(started, "couch", {-1, 30, 0.5}, {1, 31, 2.5});
-    expectBox(started, "door", {0.5, 0.5, -0.5}, {1.5, 1.5, 0.5});
+    // There, the cabinet's body and door touch each other.
+    expectBox(started, "cabinet", {0.5, -0.5, -0.5}, {1.5, 1.5, 0.5});
     // A malformed pose is an error with its line.
     const auto bad = importScene(folder.write(
         "bad.world",
@@ -331,6 +332,35 @@ material lost { technique { pass { texture_unit { texture lost.png } } } }
         uvs.extend(scene.uvs[box->first_vertex + i]);
     }
     EXPECT_TRUE(uvs.sizes().isApprox(Eigen::Vector2f(2, 4))) << uvs.sizes().transpose();
+}
+
+TEST(Gazebo, LinksThatTouchAreOneThingAndGroundsAreNot) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    const auto box = [](const std::string& link, const std::string& pose, const std::string& size) {
+        return "<link name='" + link + "'><pose>" + pose +
+               "</pose><visual name='v'><geometry><box><size>" + size +
+               "</size></box></geometry></visual></link>";
+    };
+    const std::string ground =
+        "<visual name='g'><geometry><plane><size>100 100</size></plane></geometry></visual>";
+    const Scene scene = imported(folder.write(
+        "room.world",
+        world("<model name='table'>" + box("top", "2 0 0.7 0 0 0", "1 1 0.1") +
+              box("pedestal", "2 0 0.325 0 0 0", "0.2 0.2 0.65") + "</model>" +
+              "<model name='hall'>" + box("left", "0 5 1 0 0 0", "10 0.1 2") +
+              box("right", "0 -5 1 0 0 0", "10 0.1 2") + "</model>" +
+              "<model name='walls'><link name='link'>" + ground +
+              "<visual name='w'><pose>5 0 1 0 0 0</pose><geometry><box><size>0.1 10 2</size></box>"
+              "</geometry></visual></link></model>" +
+              "<include><uri>model:///sofa</uri></include>")));
+    expectBox(scene, "table", {1.5, -0.5, 0.0}, {2.5, 0.5, 0.75});
+    EXPECT_NE(find(scene, "left"), nullptr) << "too large for one thing";
+    EXPECT_NE(find(scene, "sofa"), nullptr) << "three slashes";
+    expectBox(scene, "walls", {4.95, -5, 0}, {5.05, 5, 2});
+    ASSERT_NE(find(scene, "walls ground"), nullptr);
+    EXPECT_TRUE(find(scene, "walls ground")->structure);
+    EXPECT_LT(scene.room_bounds.sizes().head<2>().maxCoeff(), 50.0);
 }
 
 // Meshes with the same file name in different models are different.
