@@ -309,12 +309,15 @@ Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, co
                     scene.name);
     }
     if (found->rooms.empty()) {
+        const Eigen::Vector3d size = scene.room_bounds.sizes();
         return fail(ErrorCode::BadInput,
                     "no room of the scene has space for a camera of radius " +
                         inMetres(camera.camera_radius_m) + " at cells of " +
                         inMetres(impl->grid.resolution_m) +
-                        "; lower camera_radius_m and near_m, or octree_resolution_m, or check the "
-                        "units",
+                        "; lower camera_radius_m and near_m, or octree_resolution_m, or give "
+                        "another unit (--unit) or up axis (--up) if the building should not be " +
+                        inMetres(size.x()) + " x " + inMetres(size.y()) + " x " +
+                        inMetres(size.z()),
                     scene.name);
     }
     impl->found = std::move(*found);

@@ -332,7 +332,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
         scene.report.proposal = proposeImport(scene, frame, !knows_objects);
     }
     if (scene.report.proposal.up_unconfirmed && scene.report.up_source == "file") {
-        scene.report.up_source += "; nothing in the scene shows whether it is right";
+        scene.report.up_source += "; nothing in the scene shows whether it is right; --up sets it";
     }
     for (std::string& line : describe(scene.report.proposal)) {
         scene.report.warnings.push_back(std::move(line));

@@ -321,7 +321,7 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
         raw.notes.push_back(
             fmt::format("1 unit of the cloud is {} m, estimated by its size", unit_m));
     }
-    raw.notes.push_back("up in the cloud: " + up.source);
+    raw.notes.push_back("up in the cloud: " + up.source + "; --up sets it");
     if (up.doubtful) {
         raw.warnings.push_back(
             "the cloud's upward axis is doubtful; pass --up if the room is upside down or on its "
