@@ -113,8 +113,9 @@ class Groups {
         const Eigen::AlignedBox3f together = boxes_[a].merged(boxes_[b]);
         const auto [smallest, largest] =
             std::minmax({boxes_[a].diagonal().norm(), boxes_[b].diagonal().norm()});
-        // Pieces of split meshes have no better object to join.
-        const bool whole_meshes = !drafts_[a].loose && !drafts_[b].loose;
+        // Pieces of split meshes, and of objects split by material, have no better object to join.
+        const bool whole_meshes = !drafts_[a].loose && !drafts_[b].loose &&
+                                  !(pieces_[a].by_material && pieces_[b].by_material);
         if (whole_meshes && largest > kLargestObject && smallest > kLargestFitting && !certain) {
             return;
         }
