@@ -57,7 +57,11 @@ def tuned_room(editor):
     settled(editor)
     x, y = at(editor, 0.55, 0.45)
     points = [one["px"] for one in editor.state()["points"] if "px" in one and one["px"]]
-    editor.click(min(points, key=lambda px: (px[0] - x) ** 2 + (px[1] - y) ** 2))
+    point = min(points, key=lambda px: (px[0] - x) ** 2 + (px[1] - y) ** 2)
+    for _ in range(4):  # clicks at one place select in turn what lies there
+        editor.click(point)
+        if "selection.pin" in editor.items():
+            break
     editor.click("tab.by hand")
     editor.click("tab.selection")
     return shot(editor)
@@ -99,10 +103,10 @@ def preview_and_export(editor, command_line, project, folder):
                    check=True, stdout=subprocess.DEVNULL)
     exported = cv2.imread(str(next((folder / "rgb").glob("*.png"))))
     height, width = exported.shape[:2]
-    show_frame(editor, FRAME)
     editor.point(at(editor, 0.5, 0.5))
     editor.key("esc")
     editor.click("preview.fold")
+    show_frame(editor, FRAME)
     editor.menu("window", "window.bottom")
     x, y = editor.middle("preview.grip")
     left, _, right, _ = editor.item("preview.picture")[:4]
