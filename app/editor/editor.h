@@ -369,7 +369,7 @@ class Editor {
     [[nodiscard]] std::optional<OrientedBox> boxAroundSelection() const;
     [[nodiscard]] OrientedBox boxInView();  // editor_objects.cpp
     [[nodiscard]] int frameCount() const;
-    /// The role of an object with the newest edits, which the shown scene may not contain yet.
+    /// An object's role after all edits, including those that the shown scene does not contain yet.
     [[nodiscard]] Role newestRole(int object) const;
     [[nodiscard]] const Plan* plan() const { return workspace_.shown().plan.get(); }
 

@@ -165,7 +165,8 @@ void Editor::addTargetCommands() {
             return (newestRole(id) == Role::Target) != target;
         });
         if (changes) return "";
-        return target ? "The selection is a target already." : "The selection is no target.";
+        return target ? "All selected objects are targets already."
+                      : "No selected object is a target.";
     };
     commands_.add(
         {"edit.exclude", "Edit", "Exclude the selection", key(GLFW_KEY_X),

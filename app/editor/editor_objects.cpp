@@ -252,7 +252,7 @@ void Editor::addObjectCommands() {
                 ui::findChange(workspace_.state().edits, *workspace_.shown().scene, id);
             return change != nullptr && (change->move || !change->track.empty());
         });
-        return moved ? "" : "The selection was not moved.";
+        return moved ? "" : "No selected object was moved or rotated.";
     };
     const auto putBack = [this](const char* what, const nlohmann::json& value) {
         nlohmann::json moves = nlohmann::json::array();

@@ -201,6 +201,11 @@ void Editor::openSelectionMenu(const Selection& selection) {
 void Editor::drawSelectionMenu() {
     if (std::exchange(opens_selection_menu_, false)) ImGui::OpenPopup(kSelectionMenu);
     if (!ImGui::BeginPopup(kSelectionMenu)) return;
+    if (!workspace_.shown().scene) {
+        ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+        return;
+    }
     const std::vector<int>& objects = selected_.objects();
     const std::string name =
         objects.empty() ? nameOf(selected_.now()) : namesOf(*workspace_.shown().scene, objects);

@@ -193,7 +193,7 @@ TEST(AwkwardHouse, NumberedPiecesAreFurniture) {
     const std::filesystem::path file = folder.write("home.obj", obj.text());
     const auto scene = importScene(file);
     ASSERT_TRUE(scene.has_value());
-    EXPECT_TRUE(says(scene->report.notes, "11 numbered pieces of furniture"));
+    EXPECT_TRUE(says(scene->report.notes, "11 numbered pieces of Sweet Home 3D's furniture"));
     int targets = 0;
     for (const Object& object : scene->objects) targets += object.role == Role::Target;
     EXPECT_EQ(targets, 6) << "two chairs, two hobs, a bed and a lamp";
@@ -211,6 +211,18 @@ TEST(AwkwardHouse, NumberedPiecesAreFurniture) {
     const auto separate = importScene(file, apart);
     ASSERT_TRUE(separate.has_value());
     EXPECT_GT(separate->objects.size(), 20U);
+}
+
+/// Numbers at the ends of names alone are no sign of that exporter.
+TEST(AwkwardHouse, NumberedThingsAreNoPieces) {
+    ObjWriter obj = furnished();
+    for (int i = 1; i <= 12; ++i) {
+        const double x = 0.3 + 0.3 * i;
+        obj.object("box_" + std::to_string(i)).box({x, 0.5, 0}, {x + 0.3, 0.8, 0.3});
+    }
+    const Scene scene = importedText(obj.text());
+    EXPECT_FALSE(says(scene.report.notes, "numbered pieces"));
+    EXPECT_NE(find(scene, "box_7"), nullptr);
 }
 
 TEST(AwkwardHouse, WhatStandsOnAFloorAboveTheWallsFeetIsNoPartOfIt) {
@@ -254,7 +266,7 @@ TEST(AwkwardHouse, TexturesAreFoundInOtherFoldersIfGiven) {
     const auto without = importScene(file);
     ASSERT_TRUE(without.has_value());
     EXPECT_EQ(without->report.textures_missing.size(), 1U);
-    EXPECT_TRUE(says(without->report.notes, "give another folder with --models"));
+    EXPECT_TRUE(says(without->report.notes, "name another folder with --models"));
     ImportOptions options;
     options.model_folders = {folder.path() / "textures"};
     const auto with = importScene(file, options);
@@ -265,8 +277,8 @@ TEST(AwkwardHouse, TexturesAreFoundInOtherFoldersIfGiven) {
 
 TEST(AwkwardHouse, ARoomWithoutTargetsIsNoted) {
     const Scene scene = importedText(ObjWriter().room({5, 4, 2.6}, true).text());
-    EXPECT_TRUE(says(scene.report.notes, "so there is no target"));
-    EXPECT_FALSE(says(importedText(furnished().text()).report.notes, "so there is no target"));
+    EXPECT_TRUE(says(scene.report.notes, "so there are no targets"));
+    EXPECT_FALSE(says(importedText(furnished().text()).report.notes, "so there are no targets"));
 }
 
 TEST(AwkwardHouse, ThingsThatPassThroughEachOtherStayThemselves) {

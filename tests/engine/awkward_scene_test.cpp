@@ -117,9 +117,7 @@ TEST(AwkwardScene, AHallIsNoRoomInFeet) {
          {Eigen::Vector3d(30, 20, 6), Eigen::Vector3d(40, 25, 8), Eigen::Vector3d(30, 20, 10)}) {
         const Scene scene = importedText(hall(size).text());
         EXPECT_DOUBLE_EQ(scene.report.unit_m, 1.0);
-        // 6 ft are no room's height.
-        const char* doubt = size.z() > 7.0 ? "hall in metres" : "the unit is doubtful";
-        EXPECT_TRUE(says(scene.report.warnings, doubt)) << size.transpose();
+        EXPECT_TRUE(says(scene.report.warnings, "hall in metres")) << size.transpose();
         EXPECT_EQ(countTargets(scene), 24);
     }
 }

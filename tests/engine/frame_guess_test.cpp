@@ -285,7 +285,8 @@ TEST(FrameGuess, SaysWhenNothingConfirmsTheAxisOfAFile) {
     for (const UpAxis axis : {UpAxis('y'), UpAxis('y', true)}) {
         const Scene scene = imported(folder.write("room.gltf", asGltf(panels, axis, 1.0, folder)));
         EXPECT_EQ(scene.report.up_axis, "y");
-        EXPECT_EQ(scene.report.up_source, "file; nothing in the scene shows whether it is right; --up sets it");
+        EXPECT_EQ(scene.report.up_source,
+                  "file; nothing in the scene shows whether it is right; --up sets it");
         EXPECT_EQ(joined(scene.report.warnings).find("up"), std::string::npos);
     }
 }

@@ -55,16 +55,19 @@ TEST(CutText, KeepsWhatTellsNamesApart) {
         EXPECT_EQ(cutApart(names, widthOf("flat-CO\u2026erial")),
                   (std::vector<std::string>{"\u2026sofa\u2026", "\u2026lamp\u2026", "stool"}));
         EXPECT_EQ(cutApart(names, 2 * widthOf(names[0])), names);
-        // Of names without anything in common but the ends, and of equal ones, nothing is dropped.
-        const std::vector<std::string> others = {"curtain_of_room_one", "carpet_of_rooms_eleven",
-                                                 "curtain_of_room_one"};
-        for (const std::string& one : cutApart(others, widthOf("curtain_of"))) {
-            EXPECT_TRUE(one.starts_with("c")) << one;
+        // Parts of words are kept, and names of which nothing would be left.
+        for (const std::vector<std::string>& others :
+             {std::vector<std::string>{"curtainAAAAroom", "curtainBBBBroom"},
+              std::vector<std::string>{"chair-of-the-room-", "chair-of-the-room-room-"}}) {
+            const float width = widthOf("chair\u2026om-");
+            const std::vector<std::string> shown = cutApart(others, width);
+            for (std::size_t i = 0; i < others.size(); ++i) {
+                EXPECT_EQ(shown[i], cutToWidth(others[i], width, Cut::Middle));
+            }
         }
-        const std::vector<std::string> nested = {"chair-of-the-room", "chair-of-the-room-room"};
-        for (const std::string& one : cutApart(nested, widthOf("chair-of-th"))) {
-            EXPECT_LE(widthOf(one), widthOf("chair-of-th")) << one;
-        }
+        EXPECT_EQ(cutApart({"a-long-room-of-one", "a-long-room-of-two", "a-long-room-of-one"},
+                           widthOf("a-lon\u2026")),
+                  (std::vector<std::string>{"\u2026one", "\u2026two", "\u2026one"}));
     });
 }
 

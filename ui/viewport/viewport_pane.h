@@ -33,7 +33,9 @@ struct ViewportState {
     bool pressed_with_shift = false;
     bool pressed_with_ctrl = false;
     bool pressed_with_alt = false;
-    bool looked = false;      // since the press; without it, the right button opens a menu
+    // The camera turned or flew since the right button was pressed; otherwise its release is a
+    // right click.
+    bool looked = false;
     bool box_select = false;  // the next left drag selects the objects in a box
 
     /// Ends the selection with a box; returns whether there was one.

@@ -89,6 +89,7 @@ std::vector<std::string> cutApart(const std::vector<std::string>& texts, float w
             end = std::min(end, sharedBytes(first, texts[i], true));
         }
         if (begin == first.size()) continue;  // one text, or the same several times
+        if (begin >= shortest) continue;      // nothing is left of the shortest
         if (begin + end >= shortest) end = 0;
         for (const std::size_t i : group) {
             const std::string own = texts[i].substr(begin, texts[i].size() - begin - end);

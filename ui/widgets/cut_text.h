@@ -15,9 +15,9 @@ enum class Cut { End, Middle };
 /// Shortens a text with "…" to at most `width` px in the current font. UTF-8 characters stay whole.
 [[nodiscard]] std::string cutToWidth(std::string_view text, float width, Cut cut = Cut::End);
 
-/// Shortens the texts of a list, each in the middle. Those that would look alike lose what they
-/// have in common instead: "…sofa…" and "…lamp…" for "flat-COLLADA-sofa-mesh" and
-/// "flat-COLLADA-lamp-mesh".
+/// Shortens the texts of a list, each in the middle. Those that would look alike lose the words
+/// that they have in common at their beginning and end instead: "…sofa…" and "…lamp…" for
+/// "flat-COLLADA-sofa-mesh" and "flat-COLLADA-lamp-mesh".
 [[nodiscard]] std::vector<std::string> cutApart(const std::vector<std::string>& texts, float width);
 
 /// Draws one line of text, shortened to `width` px; 0: to the space left in the line or column. The

@@ -171,43 +171,36 @@ struct TextRange {
     std::size_t size = 0;
 };
 
-/// An <accessor> of a Collada file.
-struct Accessor {
-    std::string_view source;  // id of the array
-    TextRange count_at;
-    std::size_t count = 0;
-    std::size_t offset = 0;
-    std::size_t stride = 1;
-    std::size_t params = 0;
-};
-
 /// The value of an attribute in the tag from `begin` to `end` of a text.
 std::optional<TextRange> attributeIn(std::string_view text, std::size_t begin, std::size_t end,
                                      std::string_view name) {
     constexpr std::string_view kBlanks = " \t\r\n";
     const std::string_view tag = text.substr(begin, end - begin);
-    for (std::size_t at = tag.find(name, 1); at != tag.npos; at = tag.find(name, at + 1)) {
-        if (kBlanks.find(tag[at - 1]) == kBlanks.npos) continue;
-        const std::size_t equals = tag.find_first_not_of(kBlanks, at + name.size());
-        if (equals == tag.npos || tag[equals] != '=') continue;
+    std::size_t at = tag.find_first_of(kBlanks);
+    while (true) {
+        at = tag.find_first_not_of(kBlanks, at);
+        const std::size_t equals = tag.find('=', at);
+        if (at == tag.npos || equals == tag.npos) return std::nullopt;
+        const std::string_view word = tag.substr(at, tag.find_first_of(" \t\r\n=", at) - at);
         const std::size_t quote = tag.find_first_not_of(kBlanks, equals + 1);
         if (quote == tag.npos || (tag[quote] != '"' && tag[quote] != '\'')) return std::nullopt;
         const std::size_t close = tag.find(tag[quote], quote + 1);
         if (close == tag.npos) return std::nullopt;
-        return TextRange{begin + quote + 1, close - quote - 1};
+        if (word == name) return TextRange{begin + quote + 1, close - quote - 1};
+        at = close + 1;
     }
-    return std::nullopt;
 }
 
-/// A whole number, or the largest number for any other text, which no array can have.
+/// A whole number of at most 32 bits; the largest of them for any other text, which no array has.
 std::size_t countIn(std::string_view text) {
+    constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
     std::size_t count = 0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), count);
     const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
-    return whole ? count : std::numeric_limits<std::uint32_t>::max();
+    return whole ? std::min(count, kMost) : kMost;
 }
 
-std::size_t wordsIn(std::string_view text) {
+std::size_t countWords(std::string_view text) {
     constexpr std::string_view kBlanks = " \t\r\n";
     std::size_t words = 0;
     for (std::size_t at = text.find_first_not_of(kBlanks); at != text.npos;) {
@@ -216,6 +209,107 @@ std::size_t wordsIn(std::string_view text) {
         at = blank == text.npos ? blank : text.find_first_not_of(kBlanks, blank);
     }
     return words;
+}
+
+/// A count attribute's value, and the right one.
+struct CountCorrection {
+    TextRange at;
+    std::size_t count = 0;
+};
+
+/// The arrays and accessors of a Collada text.
+class ColladaArrays {
+  public:
+    explicit ColladaArrays(std::string_view collada) : collada_(collada) {}
+
+    /// Takes note of the tag from `begin` to `end`.
+    void visit(std::size_t begin, std::size_t end) {
+        const std::string_view tag = collada_.substr(begin, end - begin);
+        const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/>", 1) - 1);
+        if (name == "float_array" || name == "Name_array" || name == "IDREF_array") {
+            visitArray(begin, end);
+        } else if (name == "accessor") {
+            visitAccessor(begin, end);
+        } else if (name == "param" && in_accessor_) {
+            ++accessors_.back().params;
+        } else if (tag.starts_with("</accessor")) {
+            in_accessor_ = false;
+        }
+    }
+
+    /// The counts that are wrong. Accessors of unknown arrays get none.
+    [[nodiscard]] std::vector<CountCorrection> corrections() const {
+        std::vector<CountCorrection> corrections = array_corrections_;
+        for (const Accessor& accessor : accessors_) {
+            const auto array = length_of_.find(accessor.source);
+            const std::size_t length = array == length_of_.end() ? 0 : array->second;
+            const std::size_t first = accessor.offset + std::max(accessor.stride, accessor.params);
+            const std::size_t readable =
+                length < first ? 0 : (length - first) / accessor.stride + 1;
+            if (accessor.count > readable) corrections.push_back({accessor.count_at, readable});
+        }
+        return corrections;
+    }
+
+  private:
+    struct Accessor {
+        std::string_view source;  // id of the array
+        TextRange count_at;
+        std::size_t count = 0;
+        std::size_t offset = 0;
+        std::size_t stride = 1;
+        std::size_t params = 0;
+    };
+
+    [[nodiscard]] std::string_view textOf(const TextRange& range) const {
+        return collada_.substr(range.begin, range.size);
+    }
+
+    void visitArray(std::size_t begin, std::size_t end) {
+        const bool self_closing = collada_[end - 2] == '/';
+        const std::size_t close =
+            self_closing ? end : std::min(collada_.find('<', end), collada_.size());
+        const std::size_t length = countWords(collada_.substr(end, close - end));
+        if (const auto id = attributeIn(collada_, begin, end, "id")) {
+            length_of_[textOf(*id)] = length;
+        }
+        const auto count = attributeIn(collada_, begin, end, "count");
+        if (count && countIn(textOf(*count)) != length) {
+            array_corrections_.push_back({*count, length});
+        }
+    }
+
+    void visitAccessor(std::size_t begin, std::size_t end) {
+        const auto source = attributeIn(collada_, begin, end, "source");
+        const auto count = attributeIn(collada_, begin, end, "count");
+        in_accessor_ = count && collada_[end - 2] != '/';
+        if (!count) return;
+        const auto numberOf = [&](std::string_view attribute, std::size_t otherwise) {
+            const auto range = attributeIn(collada_, begin, end, attribute);
+            return range ? countIn(textOf(*range)) : otherwise;
+        };
+        std::string_view id = source ? textOf(*source) : std::string_view();
+        if (id.starts_with('#')) id.remove_prefix(1);
+        accessors_.push_back({id, *count, countIn(textOf(*count)), numberOf("offset", 0),
+                              std::max<std::size_t>(1, numberOf("stride", 1)), 0});
+    }
+
+    std::string_view collada_;
+    std::map<std::string_view, std::size_t> length_of_;  // of arrays, by id
+    std::vector<Accessor> accessors_;
+    std::vector<CountCorrection> array_corrections_;
+    bool in_accessor_ = false;
+};
+
+std::vector<CountCorrection> findWrongCounts(std::string_view collada) {
+    ColladaArrays arrays(collada);
+    std::size_t end = 0;
+    for (std::size_t at = collada.find('<'); at != collada.npos; at = collada.find('<', end)) {
+        end = markupEnd(collada, at);
+        if (end == collada.npos) return {};  // no XML; assimp refuses it
+        arrays.visit(at, end);
+    }
+    return arrays.corrections();
 }
 
 }  // namespace
@@ -323,63 +417,15 @@ bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text) {
 
 bool mendArrayCounts(std::vector<std::uint8_t>& text) {
     const std::string_view collada(reinterpret_cast<const char*>(text.data()), text.size());
-    std::map<std::string_view, std::size_t> length_of;  // of arrays, by id
-    std::vector<Accessor> accessors;
-    std::vector<std::pair<TextRange, std::size_t>> corrections;  // values of count attributes
-    bool in_accessor = false;
-    std::size_t end = 0;
-    for (std::size_t at = collada.find('<'); at != collada.npos; at = collada.find('<', end)) {
-        end = markupEnd(collada, at);
-        if (end == collada.npos) return false;  // no XML; assimp refuses it
-        const std::string_view tag = collada.substr(at, end - at);
-        const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/>") - 1);
-        const auto valueOf = [&](std::string_view attribute) {
-            return attributeIn(collada, at, end, attribute);
-        };
-        const auto numberOf = [&](std::string_view attribute, std::size_t otherwise) {
-            const std::optional<TextRange> range = valueOf(attribute);
-            return range ? countIn(collada.substr(range->begin, range->size)) : otherwise;
-        };
-        if (name == "float_array" || name == "Name_array" || name == "IDREF_array") {
-            const bool empty = tag.ends_with("/>");
-            const std::size_t close = empty ? end : std::min(collada.find('<', end), text.size());
-            const std::size_t length = wordsIn(collada.substr(end, close - end));
-            if (const auto id = valueOf("id")) {
-                length_of[collada.substr(id->begin, id->size)] = length;
-            }
-            const auto count = valueOf("count");
-            if (count && numberOf("count", 0) != length) corrections.push_back({*count, length});
-        } else if (name == "accessor") {
-            const auto source = valueOf("source");
-            const auto count = valueOf("count");
-            in_accessor = source && count && !tag.ends_with("/>");
-            if (!source || !count) continue;
-            std::string_view id = collada.substr(source->begin, source->size);
-            if (id.starts_with('#')) id.remove_prefix(1);
-            accessors.push_back({id, *count, numberOf("count", 0), numberOf("offset", 0),
-                                 std::max<std::size_t>(1, numberOf("stride", 1)), 0});
-        } else if (name == "param" && in_accessor) {
-            ++accessors.back().params;
-        } else if (tag.starts_with("</accessor")) {
-            in_accessor = false;
-        }
-    }
-    for (const Accessor& accessor : accessors) {
-        const auto array = length_of.find(accessor.source);
-        if (array == length_of.end()) continue;
-        const std::size_t last = accessor.offset + std::max(accessor.stride, accessor.params);
-        const std::size_t most =
-            array->second < last ? 0 : (array->second - last) / accessor.stride + 1;
-        if (accessor.count > most) corrections.push_back({accessor.count_at, most});
-    }
+    std::vector<CountCorrection> corrections = findWrongCounts(collada);
     if (corrections.empty()) return false;
-    std::ranges::sort(corrections, {}, [](const auto& one) { return one.first.begin; });
+    std::ranges::sort(corrections, {}, [](const auto& one) { return one.at.begin; });
     std::string mended;
     std::size_t done = 0;
-    for (const auto& [range, count] : corrections) {
-        mended += collada.substr(done, range.begin - done);
+    for (const auto& [at, count] : corrections) {
+        mended += collada.substr(done, at.begin - done);
         mended += std::to_string(count);
-        done = range.begin + range.size;
+        done = at.begin + at.size;
     }
     mended += collada.substr(done);
     text.assign(mended.begin(), mended.end());

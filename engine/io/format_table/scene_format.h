@@ -32,7 +32,7 @@ struct SceneFormat {
     double work = 1.0;
     /// Whether the specification defines unit and up axis, which are then not questioned.
     bool frame_is_specified = false;
-    /// The up axis of most files if the specification defines none; unknown if there is none.
+    /// The up axis of most files, if the specification defines none; by default unknown.
     UpAxis usual_up = {};
 };
 

@@ -84,11 +84,11 @@ class MaterialBlock {
         std::string kind = "material";  // of the next block
         while (true) {
             const std::vector<std::string> words = lines_.next();
-            if (words.empty()) return material_;
+            if (words.empty()) return finished();
             if (words.front() == "{") {
                 open(kind);
             } else if (words.front() == "}") {
-                if (close()) return material_;
+                if (close()) return finished();
             } else {
                 if (read_depth_ == depth_) set(words);
                 kind = words.front();
@@ -109,6 +109,12 @@ class MaterialBlock {
         read_depth_ = depth_;
     }
 
+    /// Without blending, the opacity of colours has no effect.
+    ScriptMaterial finished() {
+        if (material_.color && !blends_) (*material_.color)[3] = 1.0F;
+        return material_;
+    }
+
     /// Returns whether the material is complete.
     bool close() {
         if (read_depth_ == depth_ && depth_ > 0) --read_depth_;
@@ -121,6 +127,8 @@ class MaterialBlock {
         constexpr std::size_t kInTextureUnit = 4;
         if (depth_ == kInPass && words.front() == "diffuse") {
             if (const auto color = colorOf(joined(words, 1))) material_.color = color;
+        } else if (depth_ == kInPass && words.front() == "scene_blend") {
+            blends_ = joined(words, 1) == "alpha_blend";
         } else if (depth_ == kInTextureUnit && words.front() == "texture" && words.size() > 1) {
             material_.texture = words[1];
         } else if (depth_ == kInTextureUnit && words.front() == "scale") {
@@ -134,6 +142,7 @@ class MaterialBlock {
 
     ScriptLines& lines_;
     ScriptMaterial material_;
+    bool blends_ = false;
     std::size_t depth_ = 0;       // of open braces
     std::size_t read_depth_ = 0;  // of the innermost block that is read
     std::array<bool, kBlocks.size()> seen_{};
@@ -168,35 +177,45 @@ const std::map<std::string, ScriptMaterial>& MaterialScripts::materialsOf(const 
     return at->second;
 }
 
-bool MaterialScripts::apply(const pugi::xml_node& script, const fs::path& folder, Visual& visual) {
+std::optional<MaterialScripts::Found> MaterialScripts::find(const fs::path& folder,
+                                                            const std::vector<std::string>& uris,
+                                                            const std::string& name) {
     std::vector<fs::path> files;
-    for (const pugi::xml_node& uri : script.children("uri")) {
-        const auto [at, is_new] = listed_.try_emplace({folder, textOf(uri)});
-        if (is_new) at->second = files_.filesIn(folder, at->first.second);
-        files.insert(files.end(), at->second.begin(), at->second.end());
+    for (const std::string& uri : uris) {
+        const std::vector<fs::path> listed = files_.filesIn(folder, uri);
+        files.insert(files.end(), listed.begin(), listed.end());
     }
-    const std::string name = textOf(script.child("name"));
     for (const fs::path& file : files) {
         if (file.extension() != ".material") continue;
         const std::map<std::string, ScriptMaterial>& materials = materialsOf(file);
-        const auto found = materials.find(name);
-        if (found == materials.end()) continue;
-        const ScriptMaterial& material = found->second;
-        if (!visual.color) visual.color = material.color;
-        if (material.texture.empty()) return true;
-        const fs::path picture = fs::path(material.texture).filename();
+        const auto at = materials.find(name);
+        if (at == materials.end()) continue;
+        Found found{at->second, {}};
+        if (found.material.texture.empty()) return found;
+        const fs::path picture = fs::path(found.material.texture).filename();
         const auto listed = std::ranges::find(files, picture, &fs::path::filename);
-        if (listed != files.end()) {
-            visual.texture = *listed;
-        } else {
-            // A missing picture is searched for there again, and counted as missing.
-            visual.texture = files_.find(file.parent_path(), "../textures/" + picture.string())
-                                 .value_or(file.parent_path() / picture);
-        }
-        visual.texture_scale = material.texture_scale;
-        return true;
+        // A missing picture is searched for beside the script again, and counted as missing.
+        found.texture = listed != files.end()
+                            ? *listed
+                            : files_.find(file.parent_path(), "../textures/" + picture.string())
+                                  .value_or(file.parent_path() / picture);
+        return found;
     }
-    return false;
+    return std::nullopt;
+}
+
+bool MaterialScripts::apply(const pugi::xml_node& script, const fs::path& folder, Visual& visual) {
+    std::vector<std::string> uris;
+    for (const pugi::xml_node& uri : script.children("uri")) uris.push_back(textOf(uri));
+    const std::string name = textOf(script.child("name"));
+    const auto [at, is_new] = found_.try_emplace({folder, uris, name});
+    if (is_new) at->second = find(folder, uris, name);
+    if (!at->second) return false;
+    const auto& [material, texture] = *at->second;
+    if (!visual.color) visual.color = material.color;
+    visual.texture = texture;
+    visual.texture_scale = material.texture_scale;
+    return true;
 }
 
 }  // namespace dollytrack::gazebo

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace dollytrack::gazebo {
@@ -19,8 +19,9 @@ namespace dollytrack::gazebo {
 /// The colour and texture of a material in an OGRE material script (.material), from the first pass
 /// of its first technique.
 struct ScriptMaterial {
-    std::optional<Eigen::Vector4f> color;  // diffuse: linear red, green, blue; opacity
-    std::string texture;                   // file name as written; empty: none
+    /// Diffuse: linear red, green, blue; the opacity, which is 1 without `scene_blend alpha_blend`.
+    std::optional<Eigen::Vector4f> color;
+    std::string texture;                                      // file name as written; empty: none
     Eigen::Vector2f texture_scale = Eigen::Vector2f::Ones();  // of the picture; 2: twice as large
 };
 
@@ -41,9 +42,19 @@ class MaterialScripts {
   private:
     const std::map<std::string, ScriptMaterial>& materialsOf(const std::filesystem::path& file);
 
+    /// A material of a script, and the file of its texture; an empty path if it has none.
+    struct Found {
+        ScriptMaterial material;
+        std::filesystem::path texture;
+    };
+    std::optional<Found> find(const std::filesystem::path& folder,
+                              const std::vector<std::string>& uris, const std::string& name);
+
     const ModelPath& files_;
-    std::map<std::pair<std::filesystem::path, std::string>, std::vector<std::filesystem::path>>
-        listed_;  // files by folder and address
+    /// By folder, addresses and name of the material.
+    std::map<std::tuple<std::filesystem::path, std::vector<std::string>, std::string>,
+             std::optional<Found>>
+        found_;
     std::map<std::filesystem::path, std::map<std::string, ScriptMaterial>> read_;
     std::uint64_t bytes_ = 0;
 };

@@ -103,15 +103,29 @@ std::vector<fs::path> ModelPath::rootsFor(const fs::path& folder) const {
 }
 
 std::vector<fs::path> ModelPath::filesIn(const fs::path& folder, const std::string& uri) const {
-    if (isWebAddress(uri)) return {};
     std::string name = percentDecoded(uri);
-    for (const char* scheme : {"package://", "model://", "file://"}) takeScheme(name, scheme);
+    std::vector<fs::path> roots;
+    if (const auto fuel = fuelUriOf(uri)) {
+        const auto downloaded = findFuelModel(files_, *fuel);
+        if (!downloaded) return {};
+        roots.push_back(*downloaded);
+        name = fuel->file;
+    } else {
+        if (isWebAddress(uri)) return {};
+        const bool named = takeScheme(name, "package://") || takeScheme(name, "model://");
+        if (!named) {
+            takeScheme(name, "file://");
+            roots.push_back(folder);  // first, as in find()
+        }
+        roots.insert(roots.end(), files_.folders().begin(), files_.folders().end());
+        const std::vector<fs::path> above = foldersAround(folder);
+        roots.insert(roots.end(), above.begin(), above.end());
+    }
     std::vector<fs::path> files;
-    std::vector<fs::path> roots = files_.folders();
-    const std::vector<fs::path> above = foldersAround(folder);
-    roots.insert(roots.end(), above.begin(), above.end());
+    const fs::path relative = fs::path(name).relative_path();
+    if (relative.empty()) return files;
     for (const fs::path& root : roots) {
-        const fs::path around = absoluteNormal(root / fs::path(name).relative_path());
+        const fs::path around = absoluteNormal(root / relative);
         const Result<std::vector<std::string>> names = files_.namesIn(around);
         if (!names || names->empty()) continue;
         for (const std::string& one : *names) files.push_back(around / one);

@@ -93,12 +93,11 @@ class SceneOfLinks {
             RawScene* model = number ? library_.model(*number) : nullptr;
             if (model != nullptr) lookUpTexturesAroundMeshes(files_, *model);
         }
-        ObjectNames names;
         for (const LinkObject& link : links) {
             if (job_.cancelled()) return cancelled();
             SourceObject object;
             std::size_t missing = 0;
-            object.name = names.next(link.name.empty() ? "link" : link.name);
+            object.name = names_.next(link.name.empty() ? "link" : link.name);
             for (const Visual& visual : link.visuals) {
                 const auto model = wanted.find(&visual);
                 if (visual.shape == Visual::Shape::Mesh && model == wanted.end()) {
@@ -114,7 +113,7 @@ class SceneOfLinks {
             noteMissing(link, missing, object);
             if (object.parts.empty()) continue;
             if (link.model_number >= 0) {
-                model_of_[scene_.objects.size()] = {link.model_number, link.model};
+                model_of_[scene_.objects.size()] = Model{link.model_number, link.model};
             }
             scene_.objects.push_back(std::move(object));
         }
@@ -307,7 +306,8 @@ class SceneOfLinks {
     /// Makes a ground plane an object of its own: a link that contains it besides walls would be
     /// as wide as the plane, and no building.
     void separateGround(const LinkObject& link, SourceObject& object) {
-        constexpr double kWide_m = 40.0;
+        constexpr float kWide_m = 40.0F;
+        constexpr float kThin_m = 0.01F;
         const bool has_plane = std::ranges::any_of(link.visuals, [](const Visual& visual) {
             return visual.shape == Visual::Shape::Plane;
         });
@@ -315,29 +315,34 @@ class SceneOfLinks {
         SourceObject ground;
         const auto is_ground = [&](std::size_t part) {
             const Eigen::Vector3f size = scene_.parts[part].bounds.sizes();
-            return size.z() == 0.0F && size.head<2>().minCoeff() > kWide_m;
+            return size.z() < kThin_m && size.head<2>().minCoeff() > kWide_m;
         };
         std::ranges::copy_if(object.parts, std::back_inserter(ground.parts), is_ground);
         if (ground.parts.empty() || ground.parts.size() == object.parts.size()) return;
         std::erase_if(object.parts, is_ground);
-        ground.name = object.name + " ground";
+        ground.name = names_.next(object.name + " ground");
+        const int node = static_cast<int>(scene_.nodes.size());
+        scene_.nodes.push_back({ground.name, 0, 0});
+        ++scene_.nodes.front().children;
+        for (const std::size_t part : ground.parts) scene_.parts[part].node = node;
         ground.nyu40 = kNyuFloor;
         ground.structure = true;
         scene_.objects.push_back(std::move(ground));
     }
 
-    /// Joins the objects of a model that is one thing: as large as furniture, of a few links that
-    /// touch each other, such as the top and the pedestal of a table.
+    /// Joins the links of a model into one object if they touch each other and the model is no
+    /// larger than furniture, such as the top and the pedestal of a table.
     void joinModels() {
         constexpr std::size_t kMostParts = 12;
         constexpr float kLargest_m = 3.5F;  // diagonal
         constexpr float kGap_m = 0.02F;
         if (scene_.objects.empty()) return;
-        std::map<std::pair<int, std::string>, std::vector<std::size_t>> objects_of;
-        for (const auto& [object, model] : model_of_) objects_of[model].push_back(object);
+        std::map<int, std::vector<std::size_t>> objects_of;
+        for (const auto& [object, model] : model_of_) objects_of[model.number].push_back(object);
         std::vector<bool> joined(scene_.objects.size(), false);
         for (const auto& [model, objects] : objects_of) {
-            if (objects.size() < 2 || objects.size() > kMostParts || model.second.empty()) continue;
+            const std::string& name = model_of_.at(objects.front()).name;
+            if (objects.size() < 2 || objects.size() > kMostParts || name.empty()) continue;
             std::vector<Eigen::AlignedBox3f> boxes;
             Eigen::AlignedBox3f whole;
             for (const std::size_t object : objects) {
@@ -354,11 +359,13 @@ class SceneOfLinks {
                     if (boxes[i].exteriorDistance(boxes[j]) <= kGap_m) sets.join(i, j);
                 }
             }
-            bool one = true;
-            for (std::size_t i = 0; i < boxes.size(); ++i) one = one && sets.find(i) == 0;
-            if (!one) continue;
+            bool connected = true;
+            for (std::size_t i = 0; i < boxes.size(); ++i) {
+                connected = connected && sets.find(i) == 0;
+            }
+            if (!connected) continue;
             SourceObject& first = scene_.objects[objects.front()];
-            first.name = model.second;
+            first.name = names_.next(name);
             for (std::size_t i = 1; i < objects.size(); ++i) {
                 const std::vector<std::size_t>& parts = scene_.objects[objects[i]].parts;
                 first.parts.insert(first.parts.end(), parts.begin(), parts.end());
@@ -468,7 +475,12 @@ class SceneOfLinks {
     std::map<std::size_t, Submeshes> submeshes_;
     /// Indices of materials by the original material's index, colour, opacity and texture.
     std::map<std::tuple<std::uint32_t, float, float, float, float, int>, std::uint32_t> painted_;
-    std::map<std::size_t, std::pair<int, std::string>> model_of_;  // number and name, by object
+    struct Model {
+        int number = 0;
+        std::string name;
+    };
+    std::map<std::size_t, Model> model_of_;  // by index of the object
+    ObjectNames names_;
     std::map<fs::path, int> textures_;                 // of visuals: their indices by file
     std::map<std::size_t, std::string> name_in_mesh_;  // the node's name in the file, by part
     OmittedParts left_out_;                            // models include meshes that were not found

@@ -32,7 +32,8 @@ void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportRepor
 void noteMaterialSplit(const MaterialSplit& found, std::optional<std::size_t> objects,
                        ImportReport& report);
 
-/// `proxies` are the names of collision meshes, `twice` is the number of duplicate meshes.
+/// `proxies` are the names of collision meshes and the like, `twice` is the number of duplicate
+/// meshes.
 void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, ImportReport& report);
 
 /// `objects`: how many have faces that separateSides() moved apart.

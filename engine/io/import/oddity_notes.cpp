@@ -105,12 +105,10 @@ void noteOddities(const Scene& scene, ImportReport& report) {
             ++inside_out;
         }
     }
-    if (std::ranges::none_of(scene.objects,
-                             [](const Object& object) { return object.role == Role::Target; })) {
+    if (std::ranges::all_of(scene.objects, &Object::structure)) {
         report.notes.push_back(
-            "all objects are parts of the building, so there is no target; split those that "
-            "contain furniture (operation split of 'dollytrack edit'), or plan for the surfaces "
-            "(--set objective=surface)");
+            "all objects are parts of the building, so there are no targets; split them (operation "
+            "split of 'dollytrack edit'), or use --set objective=surface");
     }
     if (two_sided > 0) {
         report.notes.push_back(counted(two_sided, "object has each face twice, once per side",

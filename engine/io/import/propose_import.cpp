@@ -105,7 +105,7 @@ ImportProposal proposeImport(const Scene& scene, const FrameChoice& frame, bool 
     } else if (frame.other_unit_m && !proposal.up_axis) {
         proposal.unit_doubt = frame.unit_doubt;
         proposal.unit_m = frame.other_unit_m;
-    } else if (proposal.unit_doubt.empty()) {
+    } else if (proposal.unit_doubt.empty() || (!frame.unit_doubt.empty() && !proposal.unit_m)) {
         proposal.unit_doubt = frame.unit_doubt;
     }
     return proposal;

@@ -63,63 +63,75 @@ bool sameShape(const MeshPart& a, const MeshPart& b) {
 }
 
 /// One of the faces that may coincide.
-struct Side {
+struct OrientedFace {
     std::array<std::array<float, 3>, 3> corners;  // in ascending order
-    bool even = true;                             // whether that order keeps the face's direction
+    bool keeps_direction = true;  // whether the normal of the corners in that order is the face's
     std::size_t part = 0;
     std::size_t triangle = 0;
 };
 
-Side sideOf(const MeshPart& mesh, std::size_t part, std::size_t triangle) {
-    Side side;
-    side.part = part;
-    side.triangle = triangle;
+OrientedFace orientedFace(const MeshPart& mesh, std::size_t part, std::size_t triangle) {
+    OrientedFace face;
+    face.part = part;
+    face.triangle = triangle;
     for (std::size_t i = 0; i < 3; ++i) {
         const Eigen::Vector3f& p = mesh.positions[mesh.triangles[triangle][i]];
-        side.corners[i] = {p.x() + 0.0F, p.y() + 0.0F, p.z() + 0.0F};  // -0 becomes 0
+        face.corners[i] = {p.x() + 0.0F, p.y() + 0.0F, p.z() + 0.0F};  // -0 becomes 0
     }
     const auto order = [&](std::size_t a, std::size_t b) {
-        if (!(side.corners[b] < side.corners[a])) return;
-        std::swap(side.corners[a], side.corners[b]);
-        side.even = !side.even;
+        if (!(face.corners[b] < face.corners[a])) return;
+        std::swap(face.corners[a], face.corners[b]);
+        face.keeps_direction = !face.keeps_direction;
     };
     order(0, 1);
     order(1, 2);
     order(0, 1);
-    return side;
+    return face;
 }
 
+/// The materials of coincident faces that face one way.
+struct Materials {
+    std::uint32_t first = 0;
+    bool any = false;
+    bool several = false;
+
+    void add(std::uint32_t material) {
+        several |= any && material != first;
+        if (!any) first = material;
+        any = true;
+    }
+    [[nodiscard]] bool hasOther(std::uint32_t material) const {
+        return several || (any && first != material);
+    }
+};
+
 /// The faces of a draft that coincide with one of another material that faces the other way.
-std::vector<Side> findSides(const ObjectDraft& draft, const std::vector<MeshPart>& parts) {
-    std::vector<Side> sides;
+std::vector<OrientedFace> findOpposedFaces(const ObjectDraft& draft,
+                                           const std::vector<MeshPart>& parts) {
+    Materials of_draft;
+    for (const std::size_t part : draft.parts) of_draft.add(parts[part].material);
+    if (!of_draft.several) return {};
+    std::vector<OrientedFace> faces;
     for (const std::size_t part : draft.parts) {
-        // Only parts whose boxes meet another material's can share faces with it.
-        const bool meets = std::ranges::any_of(draft.parts, [&](std::size_t other) {
-            return parts[other].material != parts[part].material &&
-                   parts[other].bounds.intersects(parts[part].bounds);
-        });
-        if (!meets) continue;
         for (std::size_t i = 0; i < parts[part].triangles.size(); ++i) {
-            sides.push_back(sideOf(parts[part], part, i));
+            faces.push_back(orientedFace(parts[part], part, i));
         }
     }
-    std::ranges::sort(sides, {}, [](const Side& side) {
-        return std::tie(side.corners, side.part, side.triangle);
+    std::ranges::sort(faces, {}, [](const OrientedFace& face) {
+        return std::tie(face.corners, face.part, face.triangle);
     });
-    std::vector<Side> opposite;
-    for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
-        while (end < sides.size() && sides[end].corners == sides[first].corners) ++end;
+    std::vector<OrientedFace> opposed;
+    for (std::size_t first = 0, end = 0; first < faces.size(); first = end) {
+        std::array<Materials, 2> facing;  // by keeps_direction
+        for (; end < faces.size() && faces[end].corners == faces[first].corners; ++end) {
+            facing[faces[end].keeps_direction ? 1 : 0].add(parts[faces[end].part].material);
+        }
         for (std::size_t i = first; i < end; ++i) {
-            const bool faced = std::any_of(
-                sides.begin() + static_cast<std::ptrdiff_t>(first),
-                sides.begin() + static_cast<std::ptrdiff_t>(end), [&](const Side& other) {
-                    return other.even != sides[i].even &&
-                           parts[other.part].material != parts[sides[i].part].material;
-                });
-            if (faced) opposite.push_back(sides[i]);
+            const Materials& others = facing[faces[i].keeps_direction ? 0 : 1];
+            if (others.hasOther(parts[faces[i].part].material)) opposed.push_back(faces[i]);
         }
     }
-    return opposite;
+    return opposed;
 }
 
 }  // namespace
@@ -196,17 +208,17 @@ std::size_t separateSides(const std::vector<ObjectDraft>& drafts, std::vector<Me
     constexpr float kShift_m = 2.5e-4F;
     std::size_t separated = 0;
     for (const ObjectDraft& draft : drafts) {
-        const std::vector<Side> sides = findSides(draft, parts);
-        if (!sides.empty()) ++separated;
+        const std::vector<OrientedFace> faces = findOpposedFaces(draft, parts);
+        if (!faces.empty()) ++separated;
         std::map<std::pair<std::size_t, std::uint32_t>, Eigen::Vector3f> facing;  // by vertex
-        for (const Side& side : sides) {
-            const MeshPart& part = parts[side.part];
-            const Triangle& t = part.triangles[side.triangle];
+        for (const OrientedFace& face : faces) {
+            const MeshPart& part = parts[face.part];
+            const Triangle& t = part.triangles[face.triangle];
             const Eigen::Vector3f& a = part.positions[t[0]];
             const Eigen::Vector3f across =
                 (part.positions[t[1]] - a).cross(part.positions[t[2]] - a);
             for (const std::uint32_t vertex : t) {
-                facing.try_emplace({side.part, vertex}, Eigen::Vector3f::Zero()).first->second +=
+                facing.try_emplace({face.part, vertex}, Eigen::Vector3f::Zero()).first->second +=
                     across;
             }
         }

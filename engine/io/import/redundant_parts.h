@@ -22,10 +22,10 @@ std::vector<std::string> dropProxies(RawScene& raw);
 /// Empties parts with the same vertices and triangles as an earlier part. Returns their number.
 std::size_t dropDuplicates(RawScene& raw);
 
-/// Moves faces that coincide, face in opposite directions and have different materials 0.5 mm
-/// apart, each to the side that it faces, because otherwise it is undefined which of them is seen.
-/// SketchUp exports a face with two materials as such a pair. Positions are in metres. Returns the
-/// number of drafts with such faces.
+/// Moves faces of one draft that coincide, face in opposite directions and have different materials
+/// 0.5 mm apart, each to the side that it faces, because otherwise it is undefined which of them is
+/// seen. SketchUp exports a face with two materials as such a pair. Positions are in metres.
+/// Returns the number of drafts with such faces.
 std::size_t separateSides(const std::vector<ObjectDraft>& drafts, std::vector<MeshPart>& parts);
 
 }  // namespace dollytrack

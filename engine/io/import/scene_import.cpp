@@ -119,10 +119,10 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
                  std::vector<ObjectDraft>& drafts, ImportReport& report) {
     dropNamesOfJoinedScenes(raw, drafts);
     if (const std::size_t joined = regroup ? joinNumberedPieces(raw, drafts) : 0; joined > 0) {
-        report.notes.push_back(fmt::format(
-            "{} numbered pieces of furniture, as Sweet Home 3D exports them, were joined "
-            "to those that they are attached to (--keep-meshes leaves them apart)",
-            joined));
+        report.notes.push_back(
+            fmt::format("{} numbered pieces of Sweet Home 3D's furniture were joined to objects "
+                        "(--keep-meshes leaves them apart)",
+                        joined));
     }
     MaterialMeshes meshes = regroupMaterialMeshes(raw, labels, drafts, regroup);
     const std::size_t scattered = regroup ? splitScattered(raw, labels, drafts) : 0;
@@ -307,9 +307,9 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.textures = std::move(textures.textures);
     scene.report.textures_found = textures.found;
     scene.report.textures_missing = textures.missing;
-    if (!textures.missing.empty()) {
+    if (!textures.missing.empty() && options.model_folders.empty()) {
         scene.report.notes.push_back(
-            "missing textures were searched for below the scene's folder; give another folder with "
+            "missing textures were searched for below the scene's folder; name another folder with "
             "--models");
     }
     for (const std::string& name : textures.broken) {

@@ -103,6 +103,18 @@ bool isTopmost(const Object& floor, const std::vector<Object>& boxes,
                boxes, [&](const Object& other) { return topOf(other) > topOf(floor) + kSlab_m; });
 }
 
+/// Whether a large thin sheet is a floor above the lowest point of the building, because walls or
+/// other rooms reach farther down. It is recognized by the objects that stand on it.
+bool isFloorSheet(const Shape& shape) {
+    constexpr double kThickest_m = 0.1;
+    constexpr double kLeastWidth_m = 2.0;
+    constexpr double kLeastLength_m = 3.0;
+    constexpr double kMostAbove = 0.75;  // of all objects
+    const Eigen::Vector3d size = shape.bounds.sizes();
+    return size.z() < kThickest_m && std::min(size.x(), size.y()) > kLeastWidth_m &&
+           std::max(size.x(), size.y()) > kLeastLength_m && shape.above > kMostAbove && !shape.held;
+}
+
 Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
     const Eigen::Vector3d size = shape.bounds.sizes();
     const Eigen::Vector3d room_size = room.sizes();
@@ -110,8 +122,9 @@ Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
     const double covers_y = size.y() / std::max(1e-9, room_size.y());
     const double low = shape.bounds.min().z() - room.min().z();
     const double high = room.max().z() - shape.bounds.max().z();
-    // Base plates of rooms whose unit is wrong are thicker.
-    const double thickest = std::max(0.4, 0.1 * std::min(size.x(), size.y()));
+    // The floor slab of a room whose unit is too large is thicker than 0.4 m, but lower than a
+    // room.
+    const double thickest = std::clamp(0.1 * std::min(size.x(), size.y()), 0.4, 1.5);
     const bool flat = size.z() < thickest && shape.level_area > 0.4 * shape.area;
 
     if (covers_x > 1.3 && covers_y > 1.3) {
@@ -125,13 +138,7 @@ Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
     const bool platform =
         flat && size.z() > 0.06 && low < 0.6 && share > 0.12 && covers_it && !shape.held;
     if (platform && shape.bounds.min().z() < room.min().z() + 0.45) return {true, kNyuFloor};
-    // Walls or other rooms may extend below the sheet that all objects stand on.
-    constexpr double kLeastWidth_m = 2.0;
-    constexpr double kLeastLength_m = 3.0;
-    const bool sheet = flat && size.z() < 0.1 && share > 0.3 && covers_it &&
-                       std::min(size.x(), size.y()) > kLeastWidth_m &&
-                       std::max(size.x(), size.y()) > kLeastLength_m;
-    if (sheet && shape.above > 0.75 && !shape.held) return {true, kNyuFloor};
+    if (flat && covers_it && share > 0.3 && isFloorSheet(shape)) return {true, kNyuFloor};
     if (flat && share > 0.3) {
         if (high < 0.3 * room_size.z() && low > 1.8) return {true, kNyuCeiling};
         if (low < 0.3) return {true, kNyuFloor};

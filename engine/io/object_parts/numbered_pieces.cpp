@@ -17,7 +17,8 @@ namespace dollytrack {
 namespace {
 
 constexpr float kLargestFurniture_m = 3.5F;  // diagonal
-constexpr std::size_t kMostPieces = 200;     // of one piece of furniture
+// Largest difference of the numbers of two pieces that are joined directly.
+constexpr std::size_t kMostPieces = 200;
 
 /// The number at the end of "Pied_2_59" or of "225".
 std::optional<std::size_t> numberOf(std::string_view name) {
@@ -37,22 +38,30 @@ bool isBuilding(std::string_view name) {
     return std::ranges::any_of(kPrefixes, [&](auto prefix) { return name.starts_with(prefix); });
 }
 
-/// The drafts' numbers, if they are those of the exporter: nearly all drafts have one, they begin
-/// at 1 and hardly skip any, and there are walls or rooms.
+/// Whether only the exporter names meshes so: "wall_2_17" or "room_5_33".
+bool isExporters(std::string_view name) {
+    const std::size_t last = name.rfind('_');
+    return (name.starts_with("wall_") || name.starts_with("room_")) && last > 5 &&
+           last != name.npos && numberOf(name) && numberOf(name.substr(0, last));
+}
+
+/// The drafts' numbers, if they are those of the exporter: nearly all drafts have one, none occurs
+/// twice, they begin at 1 and hardly skip any, and there are walls or rooms.
 std::vector<std::optional<std::size_t>> exportersNumbers(const std::vector<ObjectDraft>& drafts) {
+    constexpr std::size_t kFewest = 10;
     std::vector<std::optional<std::size_t>> numbers;
     std::vector<std::size_t> found;
-    bool building = false;
+    bool exporters = false;
     for (const ObjectDraft& draft : drafts) {
-        building |= isBuilding(draft.name);
+        exporters |= isExporters(draft.name);
         numbers.push_back(numberOf(draft.name));
         if (numbers.back()) found.push_back(*numbers.back());
     }
     std::ranges::sort(found);
     const bool repeats = std::ranges::adjacent_find(found) != found.end();
     const bool most = 10 * found.size() >= 9 * drafts.size();
-    if (!building || repeats || !most || found.size() < 10 ||
-        found.back() > found.size() + found.size() / 2) {
+    if (!exporters || repeats || !most || found.size() < kFewest || found.front() > 2 ||
+        found.back() > found.size() + found.size() / 10) {
         return {};
     }
     return numbers;
@@ -98,14 +107,14 @@ class FurniturePieces {
     /// A piece of furniture has consecutive numbers: what is numbered between two of its pieces
     /// and lies within it belongs to it, such as the burners that stand on a hob.
     void joinBetween() {
-        std::map<std::size_t, std::size_t> last;  // index of the last piece, by group
+        std::vector<std::size_t> last(boxes_.size());  // index of the last piece, by group
         for (std::size_t i = 0; i < boxes_.size(); ++i) last[find(i)] = i;
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
-            const std::size_t group = find(i);
-            const auto end = last.find(group);
-            if (end == last.end()) continue;
-            for (std::size_t j = i + 1; j < end->second; ++j) {
-                if (find(j) != group && liesWithin(boxes_[j], around_[group])) join(i, j);
+            for (std::size_t j = i + 1; j < std::min(last[find(i)], i + kMostPieces); ++j) {
+                if (find(j) == find(i) || !liesWithin(boxes_[j], around_[find(i)])) continue;
+                const std::size_t end = std::max(last[find(i)], last[find(j)]);
+                join(i, j);
+                if (find(i) == find(j)) last[find(i)] = end;
             }
         }
     }
@@ -168,7 +177,7 @@ std::size_t joinNumberedPieces(const RawScene& raw, std::vector<ObjectDraft>& dr
         }
         std::ranges::sort(whole.parts);
     }
-    // A bed must not be taken for a platform by its shape.
+    // The structure finder must not take a bed for a platform by its shape.
     for (const std::size_t i : indices) {
         Label& label = drafts[i].label;
         if (label.kind != LabelKind::Target && label.kind != LabelKind::Structure) {

@@ -113,10 +113,11 @@ class Groups {
         const Eigen::AlignedBox3f together = boxes_[a].merged(boxes_[b]);
         const auto [smallest, largest] =
             std::minmax({boxes_[a].diagonal().norm(), boxes_[b].diagonal().norm()});
-        // Pieces of split meshes, and of objects split by material, have no better object to join.
+        // A piece larger than 0.6 m belongs to no object larger than furniture, such as a floor or
+        // a shaft. Pieces of split meshes, and of objects split by material, may have no other one.
         const bool whole_meshes = !drafts_[a].loose && !drafts_[b].loose &&
                                   !(pieces_[a].by_material && pieces_[b].by_material);
-        if (whole_meshes && largest > kLargestObject && smallest > kLargestFitting && !certain) {
+        if (!certain && whole_meshes && largest > kLargestObject && smallest > kLargestFitting) {
             return;
         }
         if (together.diagonal().norm() > std::max(kLargestObject, 1.05F * largest)) return;

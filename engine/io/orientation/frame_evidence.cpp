@@ -2,6 +2,7 @@
 
 #include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
+#include "engine/scene/room_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,7 @@ struct Faces {
 struct Source {
     MeasuredObject object;  // class and kind; other members are measured
     std::vector<Faces> meshes;
+    std::size_t object_in_scene = 0;  // its index there
 };
 
 /// Calls `visit(a, b, c, share)` for a sample of the faces; each stands for `share` faces.
@@ -136,26 +138,37 @@ void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
     }
 }
 
-/// `scene` has one object per source.
+/// `scene` contains the object of each source.
 FrameEvidence collect(const std::vector<Source>& sources, const Scene& scene) {
     std::vector<MeasuredObject> measured(sources.size());
     parallelFor(sources.size(), [&](std::size_t i) { measured[i] = measureSource(sources[i]); });
     FrameEvidence evidence;
-    std::vector<std::size_t> source_of;
+    std::vector<std::size_t> object_of;
     for (std::size_t i = 0; i < measured.size(); ++i) {
         if (measured[i].box.isEmpty()) continue;
         evidence.objects.push_back(std::move(measured[i]));
-        source_of.push_back(i);
+        object_of.push_back(sources[i].object_in_scene);
     }
     evidence.core = coreOfObjects(evidence.objects);
     if (evidence.core.isEmpty()) return evidence;
     for (const Source& source : sources) addLevels(source, evidence.core, evidence.levels);
     const std::vector<SideSupport> support =
         measureSupport(scene, kSupportGap * evidence.core.sizes().maxCoeff());
-    for (std::size_t i = 0; i < source_of.size(); ++i) {
-        evidence.objects[i].support = support[source_of[i]];
+    for (std::size_t i = 0; i < object_of.size(); ++i) {
+        evidence.objects[i].support = support[object_of[i]];
     }
     return evidence;
+}
+
+/// Whether an object says something about the rooms: grounds, skies and what stands outside do not.
+bool describesRoom(const Object& object, const Eigen::AlignedBox3d& room) {
+    constexpr double kMargin_m = 0.05;
+    constexpr double kWidest = 1.5;  // times the room
+    if (room.isEmpty()) return true;
+    const Eigen::AlignedBox3d box = worldBounds(object.box);
+    const Eigen::Array3d widest = kWidest * room.sizes().array() + kMargin_m;
+    return room.exteriorDistance(object.box.center) <= kMargin_m &&
+           (box.sizes().array() <= widest).all();
 }
 
 /// A scene with one object per draft.
@@ -198,6 +211,7 @@ FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft
     std::vector<Source> sources;
     for (const ObjectDraft& draft : drafts) {
         Source& source = sources.emplace_back();
+        source.object_in_scene = sources.size() - 1;
         source.object.nyu40 = draft.label.nyu40;
         source.object.building = draft.label.kind == LabelKind::Structure;
         for (const std::size_t part : draft.parts) {
@@ -208,20 +222,12 @@ FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft
 }
 
 FrameEvidence collectEvidence(const Scene& scene, bool classes_by_shape) {
-    constexpr double kMargin_m = 0.05;
-    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kMargin_m);
-    const Eigen::AlignedBox3d& room = scene.room_bounds;
-    const Eigen::AlignedBox3d around(room.min() - margin, room.max() + margin);
     std::vector<Source> sources;
-    for (const Object& object : scene.objects) {
-        // Grounds, skies and what stands outside say nothing about rooms.
-        const bool inside = around.contains(object.box.center - object.box.half_size) ||
-                            around.contains(object.box.center);
-        if (!room.isEmpty() && !inside) continue;
-        if (!room.isEmpty() &&
-            (2.0 * object.box.half_size.array() > 1.5 * room.sizes().array() + 0.1).any())
-            continue;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        if (!describesRoom(object, scene.room_bounds)) continue;
         Source& source = sources.emplace_back();
+        source.object_in_scene = i;
         source.object.nyu40 = object.nyu40;
         source.object.building = object.structure;
         source.object.by_shape = classes_by_shape && object.structure;

@@ -13,7 +13,7 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kSlightly = 0.5;      // smallest significant difference of up axis scores
+constexpr double kClearLead = 0.5;     // smallest difference of up axis scores without a doubt
 constexpr double kDoubtfulLead = 0.7;  // lead from which another axis is proposed
 constexpr double kOverwhelming = 2.0;  // lead from which the file's axis is ignored
 
@@ -83,7 +83,7 @@ void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<
     choice.up_source = "found by floors, ceilings and the objects on them";
     const auto usual = std::ranges::find(ranked, usual_up, &UpEvidence::axis);
     if (usual != ranked.end() && usual != ranked.begin() &&
-        ranked[0].score - usual->score < kSlightly) {
+        ranked[0].score - usual->score < kClearLead) {
         choice.up_source = "usual for the format";
         std::rotate(ranked.begin(), usual, usual + 1);
     }
@@ -91,7 +91,7 @@ void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<
     const std::string axis = choice.up_axis.text();
     const auto other = std::ranges::find_if(
         ranked, [&](const UpEvidence& one) { return one.axis.letter != choice.up_axis.letter; });
-    if (std::abs(ranked[0].score - other->score) < kSlightly) {
+    if (std::abs(ranked[0].score - other->score) < kClearLead) {
         choice.warnings.push_back(fmt::format(
             "the upward axis is doubtful: by floors, ceilings and the objects on them, "
             "{} and {} are about equally likely; {} is used, pass --up {} if it is wrong",
@@ -188,7 +188,7 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
     if (maybe_feet) {
         choice.unit_doubt = "the unit is doubtful: this may be a hall in metres (" + best.evidence +
                             "), or a room in feet";
-        // A lower room would be as doubtful.
+        // Feet are proposed only if they give a usual room height.
         constexpr double kLowest_m = 2.2;
         if (0.3048 * evidence.height >= kLowest_m) choice.other_unit_m = 0.3048;
     } else if (best.score < kDoubtfulScore) {

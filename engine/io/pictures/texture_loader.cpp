@@ -123,6 +123,13 @@ TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureReq
     for (const TextureRequest& request : requests) {
         if (!request.embedded.empty()) continue;
         folders.try_emplace(folderOf(request), folderOf(request));
+    }
+    // The other folders may be large, so they are listed only if a texture is missing.
+    const auto isMissing = [&](const TextureRequest& request) {
+        return request.embedded.empty() && !request.only_there &&
+               !locate(request.name, false, folders.at(folderOf(request)));
+    };
+    if (!more_folders.empty() && std::ranges::any_of(requests, isMissing)) {
         for (const fs::path& folder : more_folders) folders.try_emplace(folder, folder);
     }
 

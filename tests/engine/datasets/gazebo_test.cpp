@@ -286,7 +286,7 @@ material picture // the first technique counts
 {
   technique
   {
-    pass { diffuse 1 0 0  // red
+    pass { diffuse 1 0 0 0  // red, and opaque without blending
       texture_unit { texture blue.ppm
         scale 0.5 0.25 }
       texture_unit { texture other.ppm } }
@@ -295,7 +295,8 @@ material picture // the first technique counts
   technique { pass { texture_unit { texture other.ppm } } }
 }
 material "two words" : picture
-{ technique { pass { diffuse 0 0 1 0.5 } } }
+{ technique { pass { diffuse 0 0 1 0.5
+ scene_blend alpha_blend } } }
 material lost { technique { pass { texture_unit { texture lost.png } } } }
 )"));
     const auto painted = [](double x, const std::string& name, const std::string& uri) {
@@ -320,6 +321,7 @@ material lost { technique { pass { texture_unit { texture lost.png } } } }
     };
     EXPECT_TRUE(materialOf("picture").base_color.isApprox(Eigen::Vector3f(1, 0, 0)));
     EXPECT_TRUE(materialOf("two words").base_color.isApprox(Eigen::Vector3f(0, 0, 1)));
+    EXPECT_EQ(materialOf("picture").opacity, 1.0F);
     EXPECT_EQ(materialOf("two words").opacity, 0.5F);
     for (const std::string name : {"picture", "two words"}) {
         ASSERT_GE(materialOf(name).texture, 0) << name;

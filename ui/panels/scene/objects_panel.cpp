@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 namespace dollytrack::ui {
 namespace {
@@ -99,6 +100,20 @@ void bringRowIntoView() {
 
 std::string listName(const Object& object) {
     return object.name.empty() ? "object " + std::to_string(object.id) : object.name;
+}
+
+/// The names of all rows as the column shows them, so that scrolling does not change them.
+const std::vector<std::string>& shownNames(const std::vector<const Object*>& rows,
+                                           ObjectsPanelState& state) {
+    std::vector<std::string> whole;
+    for (const Object* object : rows) whole.push_back(listName(*object));
+    ObjectsPanelState::ShownNames& names = state.names;
+    if (names.whole != whole || names.width != state.name_width) {
+        names.cut = cutApart(whole, state.name_width);
+        names.whole = std::move(whole);
+        names.width = state.name_width;
+    }
+    return names.cut;
 }
 
 void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& object,
@@ -203,19 +218,15 @@ ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& stat
     ImGuiListClipper clipper;
     const auto scroll_row = std::ranges::find_if(
         rows, [&](const Object* object) { return object->id == state.scroll_to; });
+    const std::vector<std::string>& names = shownNames(rows, state);
     clipper.Begin(static_cast<int>(rows.size()));
     if (scroll_row != rows.end()) {
         const int at = static_cast<int>(scroll_row - rows.begin());
         clipper.ForceDisplayRangeByIndices(at, at + 1);
     }
     while (clipper.Step()) {
-        std::vector<std::string> names;
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            names.push_back(listName(*rows[i]));
-        }
-        names = cutApart(names, state.name_width);
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawRow(view, state, *rows[i], names[i - clipper.DisplayStart], with_class, actions);
+            drawRow(view, state, *rows[i], names[i], with_class, actions);
         }
     }
     ImGui::EndTable();

@@ -21,9 +21,14 @@ struct ObjectsView {
 /// State kept between window frames.
 struct ObjectsPanelState {
     std::string filter;
-    int shown = 1;                  // index of the shown group: all, targets, not captured, …
-    int scroll_to = 0;              // id of the row to scroll to; 0: none
-    float name_width = 200.0F;      // of the column of names, px
+    int shown = 1;              // index of the shown group: all, targets, not captured, …
+    int scroll_to = 0;          // id of the row to scroll to; 0: none
+    float name_width = 200.0F;  // of the column of names, px
+    struct ShownNames {
+        std::vector<std::string> whole;
+        std::vector<std::string> cut;  // to `width`
+        float width = 0.0F;
+    } names;
     bool pressed_with_key = false;  // Ctrl or Shift, which may be released before the button
 };
 
