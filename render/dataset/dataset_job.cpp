@@ -12,6 +12,7 @@
 #include "render/pipeline/frame_writer.h"
 #include "render/rig/rig_files.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -225,15 +226,29 @@ Status checkSettings(const DatasetSettings& settings) {
     return settings.overwrite || settings.resume ? Status() : folder->checkNotComplete();
 }
 
+namespace {
+
+/// The share of an export's progress that its preparation takes, above all its light: about as much
+/// time as drawing 60 frames. The time left is estimated by it.
+double preparationShare(std::size_t frames) {
+    constexpr double kFrames = 60.0;
+    return std::clamp(kFrames / (kFrames + static_cast<double>(frames)), 0.05, 0.8);
+}
+
+}  // namespace
+
 Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context, const Scene& scene,
                                      const RayCaster& rays, const Trajectory& trajectory,
                                      const CameraParams& camera, DatasetSettings settings,
                                      DatasetOrigin origin, const JobContext& job) {
+    const std::size_t count =
+        framesOf(settings.range, static_cast<int>(trajectory.frames.size())).size();
+    const double prepared = preparationShare(count);
     Result<DatasetJob> dataset =
         DatasetJob::begin(std::move(context), scene, rays, trajectory, camera, std::move(settings),
-                          std::move(origin), job.stage(0.0, 0.05, ""));
+                          std::move(origin), job.stage(0.0, prepared, ""));
     if (!dataset) return tl::unexpected(dataset.error());
-    const JobContext frames = job.stage(0.05, 0.97, "frames");
+    const JobContext frames = job.stage(prepared, 0.97, "frames");
     const auto stop = [&](Error error) -> tl::unexpected<Error> {
         const int kept = dataset->keep();
         if (kept > 0) {

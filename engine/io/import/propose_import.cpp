@@ -60,6 +60,17 @@ std::optional<double> unitByRoomAlone(double unit_m, double likelier) {
     return *std::ranges::min_element(kUsualUnits, std::less(), distance);
 }
 
+/// Whether the targets reach only into the lower part of the building, as in one with a high roof.
+bool isHighAboveTargets(const Scene& scene) {
+    constexpr double kLowerPart = 0.4;
+    double top = scene.room_bounds.min().z();
+    for (const Object& object : scene.objects) {
+        if (object.role != Role::Target) continue;
+        top = std::max(top, object.box.center.z() + object.box.half_size.z());
+    }
+    return top - scene.room_bounds.min().z() < kLowerPart * scene.room_bounds.sizes().z();
+}
+
 void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal& proposal) {
     const double unit_m = scene.report.unit_m;
     // With a wrong up axis, measured heights are not heights.
@@ -78,7 +89,8 @@ void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal
     const bool furniture_fits =
         sizes.kinds.size() >= 3 && score.furniture >= kUsualSizes && likelier < unit_m;
     const bool differs = likelier > 1.2 * unit_m || unit_m > 1.2 * likelier;
-    if (differs && !furniture_fits) {
+    const bool high = likelier < unit_m && isHighAboveTargets(scene);
+    if (differs && !furniture_fits && !high) {
         proposal.unit_m = sizes.kinds.empty() ? unitByRoomAlone(unit_m, likelier) : likelier;
     }
     const bool by_file = scene.report.unit_source == "file";
