@@ -25,8 +25,8 @@ struct ScriptMaterial {
     Eigen::Vector2f texture_scale = Eigen::Vector2f::Ones();  // of the picture; 2: twice as large
 };
 
-/// The materials of a script by name. Materials that inherit from others of the script have their
-/// colours and textures; all other content is ignored. Never fails: what cannot be read is skipped.
+/// The materials of a script by name. A material that inherits from another one of the script has
+/// its colour and texture, unless it sets its own. What cannot be read is skipped without an error.
 [[nodiscard]] std::map<std::string, ScriptMaterial> parseMaterialScript(std::string_view text);
 
 /// The material scripts that the visuals of a world refer to; each file is read once.
@@ -51,7 +51,7 @@ class MaterialScripts {
                               const std::vector<std::string>& uris, const std::string& name);
 
     const ModelPath& files_;
-    /// By folder, addresses and name of the material.
+    /// What find() returned, by its arguments.
     std::map<std::tuple<std::filesystem::path, std::vector<std::string>, std::string>,
              std::optional<Found>>
         found_;

@@ -12,11 +12,12 @@ namespace dollytrack {
 /// Removes a part's mesh, and keeps its name and node.
 void emptyPart(MeshPart& part);
 
-/// Empties meshes that are not meant to be seen: collision meshes named UCX_, UBX_, USP_ or UCP_
-/// (Unreal's convention), ..._collision, ..._collider, ..._colonly or hitbox..., or below a node
-/// "Colliders"; Archimesh's cutters of holes, CTRL_Hole...; also ..._col, ..._hull, ..._physics and
-/// ...trigger if they coincide with another part. Returns their names. Does nothing if no other
-/// part would remain.
+/// Empties meshes that are not meant to be seen, and returns their names:
+/// - collision meshes: UCX_..., UBX_..., USP_..., UCP_... (Unreal's convention), ..._collision,
+///   ..._collider, ..._colonly, hitbox..., and all below a node "Colliders"
+/// - CTRL_Hole..., the boxes with which Archimesh cuts holes into walls
+/// - ..._col, ..._hull, ..._physics and ...trigger, if they coincide with another part
+/// Does nothing if no other part would remain.
 std::vector<std::string> dropProxies(RawScene& raw);
 
 /// Empties parts with the same vertices and triangles as an earlier part. Returns their number.

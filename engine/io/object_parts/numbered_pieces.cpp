@@ -184,13 +184,7 @@ std::size_t joinNumberedPieces(const RawScene& raw, std::vector<ObjectDraft>& dr
             label.kind = LabelKind::Target;
         }
     }
-    std::vector<ObjectDraft> rest;
-    for (std::size_t i = 0; i < drafts.size(); ++i) {
-        if (!joined[i]) rest.push_back(std::move(drafts[i]));
-    }
-    const std::size_t count = drafts.size() - rest.size();
-    drafts = std::move(rest);
-    return count;
+    return dropJoined(joined, drafts);
 }
 
 }  // namespace dollytrack

@@ -386,6 +386,16 @@ int nameRank(const ObjectDraft& draft, bool named) {
     return 0;
 }
 
+std::size_t dropJoined(const std::vector<bool>& joined, std::vector<ObjectDraft>& drafts) {
+    std::vector<ObjectDraft> rest;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        if (!joined[i]) rest.push_back(std::move(drafts[i]));
+    }
+    const std::size_t count = drafts.size() - rest.size();
+    drafts = std::move(rest);
+    return count;
+}
+
 std::size_t mergeTiles(const RawScene& raw, std::vector<ObjectDraft>& drafts) {
     std::vector<Eigen::AlignedBox3f> boxes;
     Eigen::AlignedBox3f scene;
@@ -408,13 +418,7 @@ std::size_t mergeTiles(const RawScene& raw, std::vector<ObjectDraft>& drafts) {
             std::ranges::sort(parts);
         }
     }
-    std::vector<ObjectDraft> rest;
-    for (std::size_t i = 0; i < drafts.size(); ++i) {
-        if (!joined[i]) rest.push_back(std::move(drafts[i]));
-    }
-    const std::size_t count = drafts.size() - rest.size();
-    drafts = std::move(rest);
-    return count;
+    return dropJoined(joined, drafts);
 }
 
 std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool>& structure,

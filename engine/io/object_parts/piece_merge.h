@@ -40,6 +40,10 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
 /// be in the world's frame. Returns how many drafts were joined to others.
 std::size_t mergeTiles(const RawScene& raw, std::vector<ObjectDraft>& drafts);
 
+/// Removes the drafts whose parts were joined to others, as `joined` says for each. Returns their
+/// number.
+std::size_t dropJoined(const std::vector<bool>& joined, std::vector<ObjectDraft>& drafts);
+
 /// Largest distance of touching surfaces, m.
 inline constexpr float kContactGap = 0.003F;
 
