@@ -153,10 +153,11 @@ TEST_F(DatasetJobGl, AFolderInTheWayOfAPictureIsSaidBeforeTheOldDatasetIsTouched
 
 TEST_F(DatasetJobGl, CancellingLeavesWholeImagesAndNoCard) {
     auto cancel = std::make_shared<std::atomic<bool>>(false);
-    const JobContext job(cancel, [&](double fraction, std::string_view) {
-        if (fraction > 0.5) *cancel = true;
+    constexpr int kFrames = 12;
+    const JobContext job(cancel, {}, [&](int done, int total) {
+        if (total == kFrames && done >= kFrames / 2) *cancel = true;
     });
-    const auto stopped = exportTo(folder_ / "out", circle(12), false, job);
+    const auto stopped = exportTo(folder_ / "out", circle(kFrames), false, job);
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
     const auto files = tree(folder_ / "out");
