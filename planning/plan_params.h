@@ -48,21 +48,23 @@ void visitBodyParams(Params& p, Visitor&& visit) {
           ChoiceInfo{{"sphere", "cylinder"},
                      "Shape that moves are proven collision-free for: the camera's sphere alone, "
                      "or also a cylinder below it that stands on the floor"});
-    visit("body_radius_m", p.body_radius_m, FieldInfo{0.01, 2, "m", "Radius of the cylinder"});
-    visit("body_height_m", p.body_height_m,
-          FieldInfo{0.05, 10, "m", "Top of the cylinder above the floor"});
+    visit("body_radius_m", p.body_radius_m,
+          FieldInfo{0.01, 2, "m", "Radius of the cylinder"}.onlyWith("body=cylinder"));
+    visit(
+        "body_height_m", p.body_height_m,
+        FieldInfo{0.05, 10, "m", "Top of the cylinder above the floor"}.onlyWith("body=cylinder"));
     visit("max_step_m", p.max_step_m,
           FieldInfo{0.001, 0.5, "m",
                     "Height of thresholds and rugs that the cylinder passes over; its bottom is at "
-                    "this height"});
+                    "this height"}
+              .onlyWith("body=cylinder"));
     visit("heading", p.heading,
           ChoiceInfo{{"free", "along"},
                      "free: the camera looks anywhere while it moves; along: it looks along its "
                      "motion, and stops to turn on the spot"});
     visit("max_heading_deg", p.max_heading_deg,
-          FieldInfo{
-              1, 90, "deg",
-              "With heading=along: largest horizontal angle between viewing direction and motion"});
+          FieldInfo{1, 90, "deg", "Largest horizontal angle between viewing direction and motion"}
+              .onlyWith("heading=along"));
 }
 
 /// Which objects count as small, for grouping by supporting surface (paper, 3.2.2).
@@ -245,16 +247,20 @@ void visitTimingParams(Params& p, Visitor&& visit) {
     visit("max_image_motion_dps", p.max_image_motion_dps,
           FieldInfo{0, 3600, "deg/s",
                     "The camera slows down where turning or passing near objects would move the "
-                    "image faster than this, averaged between two views; no effect with "
-                    "heading=along; 0: the preset's limit, if any"});
+                    "image faster than this, averaged between two views; 0: the preset's limit, if "
+                    "any"}
+              .onlyWith("heading=free"));
     visit("max_frames", p.max_frames,
-          FieldInfo{0, 1e6, "",
-                    "Budget of frames; the frame rate is lowered to meet it; 0: no limit"});
+          FieldInfo{
+              0, 1e6, "",
+              "Largest number of frames. The frame rate is lowered to meet it; where the rate is "
+              "fixed, fewer objects are visited. 0: no limit"});
     visit("max_repeat_rate", p.max_repeat_rate,
           FieldInfo{
               0, 1, "",
-              "With a budget of frames: lowers the frame rate until at most this share of frames "
-              "shows nothing new, or only key frames and room views are left; 1: any share"});
+              "Lowers the frame rate until at most this share of frames shows nothing new, or only "
+              "key frames and room views are left; 1: any share"}
+              .onlyWith("max_frames>0"));
 }
 
 enum class ShakeKind { None, Sinusoidal, Handheld };
@@ -274,10 +280,14 @@ void visitShakeParams(Params& p, Visitor&& visit) {
           ChoiceInfo{{"none", "sinusoidal", "handheld"},
                      "Shakes the camera along and about its axes, without collisions"});
     visit("shake_amplitude_m", p.shake_amplitude_m,
-          FieldInfo{0, 1, "m", "Largest shift along each axis"});
+          FieldInfo{0, 1, "m", "Largest shift along each axis"}.onlyWith(
+              "shake=sinusoidal|handheld"));
     visit("shake_amplitude_deg", p.shake_amplitude_deg,
-          FieldInfo{0, 45, "deg", "Largest rotation about each axis"});
-    visit("shake_hz", p.shake_hz, FieldInfo{0.01, 50, "Hz", "Frequency of the shake"});
+          FieldInfo{0, 45, "deg", "Largest rotation about each axis"}.onlyWith(
+              "shake=sinusoidal|handheld"));
+    visit(
+        "shake_hz", p.shake_hz,
+        FieldInfo{0.01, 50, "Hz", "Frequency of the shake"}.onlyWith("shake=sinusoidal|handheld"));
 }
 
 /// Weights of the paper's image score, and the repair of frames that score low (paper, 3.2.4).
@@ -389,14 +399,16 @@ void visitCoverageParams(Params& p, Visitor&& visit) {
                      "What key frames are for: objects: good views of each object; surface: all "
                      "surface that can be seen, for reconstruction and mapping; both: objects "
                      "first, then the surface that their views do not cover"});
-    visit("surface_directions", p.surface_directions,
-          FieldInfo{1, 8, "",
-                    "With objective=surface or both: directions, at least 15 degrees apart, from "
-                    "which each piece of surface shall be seen"});
+    visit(
+        "surface_directions", p.surface_directions,
+        FieldInfo{
+            1, 8, "",
+            "Directions, at least 15 degrees apart, from which each piece of surface shall be seen"}
+            .onlyWith("objective=surface|both"));
     visit("surface_mm_px", p.surface_mm_px,
           FieldInfo{0.1, 1000, "mm",
-                    "With objective=surface or both: largest width of a pixel on the surface, "
-                    "measured across the line of sight"});
+                    "Largest width of a pixel on the surface, measured across the line of sight"}
+              .onlyWith("objective=surface|both"));
 }
 
 /// All parameters of a plan and of the images rendered from it. Field names are unique across the

@@ -59,10 +59,12 @@ void visitPictureParams(Params& p, Visitor&& visit) {
                     "Samples of anisotropic texture filtering, which keeps distant floors and "
                     "walls sharp; 0: 8 on a GPU, 1 on the CPU, where 8 take 50 % more time"});
     visit("traced_samples", p.traced_samples,
-          FieldInfo{2, 4096, "", "Paths per pixel of traced images, before denoising"});
+          FieldInfo{2, 4096, "", "Paths per pixel of traced images, before denoising"}.onlyWith(
+              "render_mode=traced"));
     visit("reference_samples", p.reference_samples,
           FieldInfo{1, 65536, "",
-                    "Paths per pixel of reference images; noise falls with the square root"});
+                    "Paths per pixel of reference images; noise falls with the square root"}
+              .onlyWith("render_mode=reference"));
 }
 
 }  // namespace dollytrack

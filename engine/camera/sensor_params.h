@@ -60,7 +60,8 @@ void visitSensorParams(Params& p, Visitor&& visit) {
             "Diameter of the aperture (focal length / f-number); 0: a pinhole, sharp everywhere"});
     visit("focus_m", p.focus_m,
           FieldInfo{0, 1000, "m",
-                    "Depth in focus; 0: that of the objects at the centre of each frame"});
+                    "Depth in focus; 0: that of the objects at the centre of each frame"}
+              .onlyWith("aperture_mm>0"));
     visit("k1", p.k1, FieldInfo{-2, 2, "", "Radial distortion, r^2 (OpenCV's model)"});
     visit("k2", p.k2, FieldInfo{-2, 2, "", "Radial distortion, r^4"});
     visit("p1", p.p1, FieldInfo{-0.5, 0.5, "", "Tangential distortion"});
@@ -86,7 +87,8 @@ void visitSensorParams(Params& p, Visitor&& visit) {
     visit("depth_noise_strength", p.depth_noise_strength,
           FieldInfo{0, 10, "",
                     "Scale factor of the standard deviation and lateral jitter of depth_noise; "
-                    "holes do not change"});
+                    "holes do not change"}
+              .onlyWith("depth_noise=kinect_azure|redwood"));
     visit("sensor_seed", p.sensor_seed, FieldInfo{0, 2e9, "", "Random seed of the sensor noise"});
 }
 

@@ -119,6 +119,12 @@ std::string_view Field::symbol() const {
                       value);
 }
 
+std::string_view Field::onlyWith() const {
+    return std::visit(Overloaded{[](const Switch&) { return std::string_view(); },
+                                 [](const auto& f) { return f.info.only_with; }},
+                      value);
+}
+
 std::string Field::valueText() const {
     return std::visit(
         Overloaded{[](const Integer& f) { return fmt::format("{}", *f.value); },
@@ -156,6 +162,29 @@ Status setField(const FieldList& fields, std::string_view assignment) {
     const Field* field = find(fields, name);
     if (!field) return fail(ErrorCode::Usage, unknownField(fields, name));
     return setText(*field, assignment.substr(equals + 1));
+}
+
+std::string withoutEffectBy(const FieldList& fields, const Field& field) {
+    const std::string_view condition = field.onlyWith();
+    const std::size_t sign = condition.find_first_of("=>");
+    if (sign == std::string_view::npos) return {};
+    const Field* other = find(fields, condition.substr(0, sign));
+    if (!other) return {};
+    const std::string now = other->valueText();
+    bool holds = false;
+    if (condition[sign] == '>') {
+        double value = 0.0;
+        double least = 0.0;
+        holds = parse(now, value) && parse(condition.substr(sign + 1), least) && value > least;
+    } else {
+        std::string_view values = condition.substr(sign + 1);
+        while (!holds && !values.empty()) {
+            const std::size_t bar = std::min(values.find('|'), values.size());
+            holds = values.substr(0, bar) == now;
+            values.remove_prefix(std::min(bar + 1, values.size()));
+        }
+    }
+    return holds ? std::string() : other->name + "=" + now;
 }
 
 nlohmann::json toJson(const FieldList& fields) {

@@ -40,8 +40,9 @@ struct Field {
     [[nodiscard]] std::string_view text() const;  // what it means
     [[nodiscard]] std::string_view unit() const;
     [[nodiscard]] std::string_view symbol() const;
-    [[nodiscard]] std::string valueText() const;  // as `--set` reads it
-    [[nodiscard]] std::string rangeText() const;  // "0.1 .. 1" or "tour | longest_branch"
+    [[nodiscard]] std::string_view onlyWith() const;  // see FieldInfo::onlyWith()
+    [[nodiscard]] std::string valueText() const;      // as `--set` reads it
+    [[nodiscard]] std::string rangeText() const;      // "0.1 .. 1" or "tour | longest_branch"
 };
 
 using FieldList = std::vector<Field>;
@@ -81,6 +82,10 @@ void letPresetSetOthers(FieldList& fields, std::string_view name,
 /// Sets one field from "name=value" text. Errors: Usage, naming the field, its range, or the
 /// closest name when there is none of that name.
 Status setField(const FieldList& fields, std::string_view assignment);
+
+/// "shake=none" if the field has no effect because of that value of another field of the list;
+/// empty if it has an effect. See FieldInfo::onlyWith().
+std::string withoutEffectBy(const FieldList& fields, const Field& field);
 
 /// Object of sections, each an object of fields.
 nlohmann::json toJson(const FieldList& fields);

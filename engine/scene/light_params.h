@@ -76,8 +76,11 @@ void visitLightParams(Params& p, Visitor&& visit) {
         ChoiceInfo{{"scene", "frame"},
                    "Scope of light_variation: scene: the same random values in all frames; frame: "
                    "new sun, sky and lamp strengths, temperature and exposure in each frame. Time, "
-                   "azimuth, materials and the editor's view always have the scene's values"});
-    visit("light_seed", p.light_seed, FieldInfo{0, 2e9, "", "Random seed of the light variation"});
+                   "azimuth, materials and the editor's view always have the scene's values",
+                   "light_variation>0"});
+    visit(
+        "light_seed", p.light_seed,
+        FieldInfo{0, 2e9, "", "Random seed of the light variation"}.onlyWith("light_variation>0"));
 }
 
 /// The values of a preset. Values that presets do not set (azimuth, variation, seed) are the
