@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <functional>
@@ -47,6 +48,19 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
         if (Status status = setField(fields, assignment); !status) return status;
     }
     return {};
+}
+
+/// Warns of parameters of the plan that were given but have no effect beside the others. An export
+/// warns of those of its images.
+void warnOfIdleArguments(const SceneArguments& arguments, planning::PlanParams params) {
+    const FieldList fields = planning::listFields(params);
+    for (const std::string& assignment : arguments.assignments) {
+        const std::string name = assignment.substr(0, assignment.find('='));
+        const auto field = std::ranges::find(fields, name, &Field::name);
+        if (field == fields.end() || isOfImages(*field)) continue;
+        const std::string message = idleMessage(fields, *field);
+        if (!message.empty()) log::warn("plan", message);
+    }
 }
 
 /// The operation for --start or --end: "bed" names a pinned point, "1,2,1.5,0,0,1" is a position
@@ -306,10 +320,26 @@ Result<OpenedScene> openedWith(OpenedScene opened, const SceneArguments& argumen
         opened.imported = std::make_shared<const Scene>(std::move(sorted));
     }
     opened.stored_result = nullptr;
+    warnOfIdleArguments(arguments, opened.params);
     if (Status status = applyEditsAndArguments(opened, opened.edits, arguments); !status) {
         return tl::unexpected(std::move(status.error()));
     }
     return opened;
+}
+
+bool isOfImages(const Field& field) {
+    constexpr std::array kSections = {"imu", "stereo", "picture", "light", "sensor"};
+    return std::ranges::find(kSections, field.section) != kSections.end();
+}
+
+std::string idleMessage(const FieldList& fields, const Field& field) {
+    const std::string idle = withoutEffectBy(fields, field);
+    if (idle.empty()) return {};
+    std::string needed(field.onlyWith());
+    for (std::size_t bar = needed.find('|'); bar != std::string::npos; bar = needed.find('|')) {
+        needed.replace(bar, 1, " or ");
+    }
+    return fmt::format("{} has no effect with {}; it needs {}", field.name, idle, needed);
 }
 
 ProjectFile projectOf(const OpenedScene& opened) {
@@ -351,6 +381,7 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     if (Status status = applyArguments(arguments, read->params); !status) {
         return tl::unexpected(std::move(status.error()));
     }
+    warnOfIdleArguments(arguments, read->params);
     read->import = importSettings(arguments, stored_import);
     if (Status status = addCloudSettings(arguments, read->import); !status) {
         return tl::unexpected(std::move(status.error()));

@@ -73,6 +73,13 @@ ProjectFile projectOf(const OpenedScene& opened);
 /// Names of the planning parameters that differ, for a message: "fill, width_px".
 std::string changedNames(const planning::PlanParams& one, const planning::PlanParams& other);
 
+/// Whether the parameter belongs to the images and files of an export, not to the plan.
+bool isOfImages(const Field& field);
+
+/// "shake_hz has no effect with shake=none; it needs shake=sinusoidal or handheld"; empty if the
+/// parameter has an effect beside the other ones of the list.
+std::string idleMessage(const FieldList& fields, const Field& field);
+
 /// Checks that do not need the scene: the file exists, and the parameters are valid. Errors:
 /// BadInput, Usage.
 [[nodiscard]] Status checkArguments(const SceneArguments& arguments);

@@ -163,6 +163,13 @@ void Editor::drawParameters() {
     view.standard = &parameters_.standard();
     view.has_scene = true;
     view.filter = &parameters_.filter;
+    const PlanOutcome& shown = workspace_.shown();
+    const double asked_m = shown.params.free_space.octree_resolution_m;
+    if (shown.free_space && shown.free_space->resolution_m() > asked_m) {
+        view.notes["octree_resolution_m"] =
+            fmt::format("{:.3g} m is used, as the scene is too large for {:.3g} m",
+                        shown.free_space->resolution_m(), asked_m);
+    }
     const ui::ParametersActions actions = ui::drawParametersPanel(view, fields);
     if (actions.reset_all) {
         parameters_.reset();

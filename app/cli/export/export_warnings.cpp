@@ -1,5 +1,7 @@
 #include "app/cli/export/export_warnings.h"
 
+#include "app/cli/scene_arguments.h"
+#include "engine/core/field_list.h"
 #include "engine/core/log.h"
 #include "engine/scene/resolved_light.h"
 #include "render/encoders/modalities.h"
@@ -8,19 +10,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 namespace dollytrack::cli {
 namespace {
 
 void warnOfLight(const LightParams& light, const render::DatasetSettings& settings) {
-    if (light.light_varies != LightVaries::Frame) return;
-    if (light.light_variation == 0.0) {
-        log::warn(
-            "export",
-            "light_varies=frame has no effect with light_variation=0; set light_variation up to 1");
-        return;
-    }
+    if (light.light_varies != LightVaries::Frame || light.light_variation == 0.0) return;
     const auto formats = render::chooseFormats(settings.formats);
     const bool recorded = formats && std::ranges::any_of(*formats, [](const render::Format* one) {
                               return std::string_view(one->name) == "frames";
@@ -46,22 +43,15 @@ void warnOfSun(const LightParams& light) {
             set_strength ? "sun_strength" : "sun_azimuth_deg"));
 }
 
-void warnOfPictures(const PictureParams& picture) {
-    const PictureParams standard;
-    const char* now = picture.render_mode == RenderMode::Fast     ? "fast"
-                      : picture.render_mode == RenderMode::Traced ? "traced"
-                                                                  : "reference";
-    const auto warn = [&](const char* samples, const char* mode) {
-        log::warn("export", fmt::format("{} has no effect with render_mode={}; set render_mode={}",
-                                        samples, now, mode));
-    };
-    if (picture.render_mode != RenderMode::Reference &&
-        picture.reference_samples != standard.reference_samples) {
-        warn("reference_samples", "reference");
-    }
-    if (picture.render_mode != RenderMode::Traced &&
-        picture.traced_samples != standard.traced_samples) {
-        warn("traced_samples", "traced");
+void warnOfIdleParameters(planning::PlanParams params) {
+    planning::PlanParams defaults;
+    const FieldList fields = planning::listFields(params);
+    const FieldList standard = planning::listFields(defaults);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const Field& field = fields[i];
+        if (!isOfImages(field) || field.valueText() == standard[i].valueText()) continue;
+        const std::string message = idleMessage(fields, field);
+        if (!message.empty()) log::warn("export", message);
     }
 }
 
@@ -92,7 +82,7 @@ bool repeats(const RigCamera& camera, const CameraParams& planned) {
 void warnOfExport(const planning::PlanParams& params, const render::DatasetSettings& settings) {
     warnOfLight(params.light, settings);
     warnOfSun(params.light);
-    warnOfPictures(params.picture);
+    warnOfIdleParameters(params);
     warnOfMissingSamples(params.sensor, settings);
     for (const RigCamera& camera : settings.rig) {
         if (!repeats(camera, params.camera)) continue;

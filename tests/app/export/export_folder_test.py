@@ -366,6 +366,9 @@ class ExportFolder(FolderCase):
             (["traced_samples=2", "render_mode=reference", "reference_samples=2"],
              "traced_samples", []),
             (["traced_samples=2", "render_mode=traced"], None, []),
+            (["light_seed=2"], "light_seed has no effect with light_variation=0; it needs "
+                               "light_variation>0", []),
+            (["focus_m=2"], "focus_m", []),
             (["looks=1", "readout_s=0"], "looks", sensor),
             (["looks=1", "readout_s=0"], None, ["--modalities", "rgb,depth_sensor"]),
             (["looks=1"], None, sensor),

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <variant>
 
@@ -31,6 +33,36 @@ TEST(PlanParams, EveryNameIsThereOnce) {
     for (const Field& field : listFields(params)) {
         EXPECT_TRUE(names.insert(field.name).second) << field.name;
     }
+}
+
+// A condition names a field that exists, and values that it can have.
+TEST(PlanParams, HaveAnEffectWhereTheirConditionsHold) {
+    PlanParams params;
+    const FieldList fields = listFields(params);
+    int conditions = 0;
+    for (const Field& field : fields) {
+        const std::string condition(field.onlyWith());
+        if (condition.empty()) continue;
+        ++conditions;
+        const std::size_t sign = condition.find_first_of("=>");
+        ASSERT_NE(sign, std::string::npos) << field.name;
+        std::istringstream values(condition.substr(sign + 1));
+        for (std::string value; std::getline(values, value, '|');) {
+            if (condition[sign] == '>') value = "1";
+            const std::string assignment = condition.substr(0, sign) + "=" + value;
+            EXPECT_TRUE(setField(fields, assignment)) << field.name << " " << assignment;
+            EXPECT_EQ(withoutEffectBy(fields, field), "") << field.name << " " << assignment;
+        }
+    }
+    EXPECT_GT(conditions, 10);
+    ASSERT_TRUE(setField(fields, "shake=none"));
+    ASSERT_TRUE(setField(fields, "max_frames=0"));
+    const auto idle = [&](const char* name) {
+        return withoutEffectBy(fields, *std::ranges::find(fields, name, &Field::name));
+    };
+    EXPECT_EQ(idle("shake_hz"), "shake=none");
+    EXPECT_EQ(idle("max_repeat_rate"), "max_frames=0");
+    EXPECT_EQ(idle("fill"), "");
 }
 
 // A plan does not depend on parameters that only affect images and files; it depends on all others.

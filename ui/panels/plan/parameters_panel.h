@@ -2,6 +2,8 @@
 
 #include "engine/core/field_list.h"
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,7 +13,8 @@ namespace dollytrack::ui {
 struct ParametersView {
     const FieldList* standard = nullptr;  // the same fields with their defaults
     bool has_scene = false;
-    std::string* filter = nullptr;  // text of the search field
+    std::string* filter = nullptr;                               // text of the search field
+    std::map<std::string, std::string, std::less<>> notes = {};  // shown below fields, by name
 };
 
 /// User actions of this frame.

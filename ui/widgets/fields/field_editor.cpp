@@ -89,6 +89,10 @@ FieldEdit edit(const Field::Choice& choice, const Field&, const std::string& pat
     return chosen(changed);
 }
 
+FieldEdit drawWidget(const Field& field, const std::string& path) {
+    return std::visit([&](const auto& value) { return edit(value, field, path); }, field.value);
+}
+
 void copyValue(const Field& from, const Field& to) {
     std::visit(
         [&to](const auto& source) {
@@ -103,9 +107,12 @@ void copyValue(const Field& from, const Field& to) {
         from.value);
 }
 
-void explainField(const Field& field, const Field& standard) {
+void explainField(const Field& field, const Field& standard, const std::string& idle_by = {}) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(scaled(340));
+    if (!idle_by.empty()) {
+        ImGui::TextColored(palette().warning, "No effect with %s", idle_by.c_str());
+    }
     ImGui::TextUnformatted(std::string(field.text()).c_str());
     std::string range = field.rangeText();
     if (!field.unit().empty()) range += " " + std::string(field.unit());
@@ -135,31 +142,36 @@ std::string readableName(const Field& field) {
 
 FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::string& path) {
     ImGui::PushID(field.name.c_str());
-    const FieldEdit result =
-        std::visit([&](const auto& value) { return edit(value, field, path); }, field.value);
+    const FieldEdit result = drawWidget(field, path);
     if (!result.says && ImGui::IsItemHovered()) explainField(field, standard);
     ImGui::PopID();
     return result;
 }
 
-FieldEdit drawField(const Field& field, const Field& standard, const std::string& path) {
+FieldEdit drawField(const Field& field, const Field& standard, const std::string& path,
+                    const std::string& idle_by) {
     FieldEdit result;
     ImGui::PushID(field.name.c_str());
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    const float alpha = ImGui::GetStyle().Alpha;
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, idle_by.empty() ? alpha : 0.45F * alpha);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(readableName(field).c_str());
-    if (ImGui::IsItemHovered()) explainField(field, standard);
+    bool hovered = ImGui::IsItemHovered();
     if (!field.symbol().empty()) {
         ImGui::SameLine();
         ImGui::TextColored(palette().accent, "%s", std::string(field.symbol()).c_str());
-        if (ImGui::IsItemHovered()) explainField(field, standard);
+        hovered = hovered || ImGui::IsItemHovered();
     }
     ImGui::TableNextColumn();
     const bool differs = field.valueText() != standard.valueText();
     const float reset_width = ImGui::GetFrameHeight();
     ImGui::SetNextItemWidth(-(reset_width + ImGui::GetStyle().ItemInnerSpacing.x));
-    result = drawFieldValue(field, standard, path);
+    result = drawWidget(field, path);
+    hovered = hovered || (!result.says && ImGui::IsItemHovered());
+    ImGui::PopStyleVar();
+    if (hovered) explainField(field, standard, idle_by);
     if (differs) {
         ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
         if (ImGui::Button("\u21ba", {reset_width, 0})) {

@@ -10,8 +10,10 @@ namespace dollytrack::ui {
 /// Draws a row of a two-column table: name with its symbol in the method's paper, widget with unit,
 /// and a reset button if the value differs from `standard` (the same field of a default-constructed
 /// struct). The tooltip shows description, range and default. `path` is the widget's name in the
-/// item map: "parameters.fill".
-FieldEdit drawField(const Field& field, const Field& standard, const std::string& path);
+/// item map: "parameters.fill". `idle_by` is what withoutEffectBy() says of the field: if it is not
+/// empty, the row is dimmed and the tooltip says why; the value can be edited all the same.
+FieldEdit drawField(const Field& field, const Field& standard, const std::string& path,
+                    const std::string& idle_by = {});
 
 /// Draws only the widget, with the width set by SetNextItemWidth().
 FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::string& path);
