@@ -3,15 +3,20 @@
 #include "engine/core/log.h"
 
 #include <imgui_freetype.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 
 namespace dollytrack::ui {
 namespace {
 
 struct State {
     Fonts fonts;
+    std::set<ImWchar> letters;       // beyond kRanges
+    ImVector<ImWchar> glyph_ranges;  // ImGui reads them when it draws the atlas
     Palette palette;
     float scale = 1.0F;
 };
@@ -21,13 +26,18 @@ State& state() {
     return the_state;
 }
 
-/// Glyph ranges: Latin, Greek for the paper's symbols, punctuation, arrows, mathematics, simple
-/// shapes.
-const ImWchar* glyphRanges() {
-    static const std::array<ImWchar, 19> kRanges = {
-        0x0020, 0x024F, 0x0370, 0x03FF, 0x2000, 0x206F, 0x2070, 0x209F, 0x2190, 0x21FF,
-        0x2200, 0x22FF, 0x2300, 0x23FF, 0x25A0, 0x27BF, 0,      0,      0};
-    return kRanges.data();
+/// Ranges of the glyphs that are always loaded: Latin, Greek for the paper's symbols, punctuation,
+/// arrows, mathematics, simple shapes.
+constexpr std::array<ImWchar, 17> kRanges = {0x0020, 0x024F, 0x0370, 0x03FF, 0x2000, 0x206F,
+                                             0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF,
+                                             0x2300, 0x23FF, 0x25A0, 0x27BF, 0};
+
+void findGlyphRanges() {
+    ImFontGlyphRangesBuilder builder;
+    builder.AddRanges(kRanges.data());
+    for (const ImWchar letter : state().letters) builder.AddChar(letter);
+    state().glyph_ranges.clear();
+    builder.BuildRanges(&state().glyph_ranges);
 }
 
 std::string findFont(std::initializer_list<const char*> candidates) {
@@ -41,18 +51,21 @@ std::string findFont(std::initializer_list<const char*> candidates) {
     return {};
 }
 
-ImFont* load(const std::string& file, const std::string& symbols, float size) {
+/// A font with the glyphs of `file` and, for those that it lacks, of the others in their order.
+ImFont* load(const std::string& file, std::initializer_list<std::string> others, float size) {
     ImGuiIO& io = ImGui::GetIO();
+    const ImWchar* ranges = state().glyph_ranges.Data;
     if (file.empty()) {
         ImFontConfig config;
         config.SizePixels = size;
         return io.Fonts->AddFontDefault(&config);
     }
-    ImFont* font = io.Fonts->AddFontFromFileTTF(file.c_str(), size, nullptr, glyphRanges());
-    if (!symbols.empty()) {
+    ImFont* font = io.Fonts->AddFontFromFileTTF(file.c_str(), size, nullptr, ranges);
+    for (const std::string& other : others) {
+        if (other.empty()) continue;
         ImFontConfig merge;
         merge.MergeMode = true;
-        io.Fonts->AddFontFromFileTTF(symbols.c_str(), size * 0.95F, &merge, glyphRanges());
+        io.Fonts->AddFontFromFileTTF(other.c_str(), size * 0.95F, &merge, ranges);
     }
     return font;
 }
@@ -126,9 +139,27 @@ void setColors(ThemeKind kind) {
 
 }  // namespace
 
+bool addLetters(std::string_view text) {
+    std::set<ImWchar>& letters = state().letters;
+    const std::size_t before = letters.size();
+    const char* const end = text.data() + text.size();
+    for (const char* at = text.data(); at < end;) {
+        unsigned int letter = 0;
+        at += std::max(ImTextCharFromUtf8(&letter, at, end), 1);
+        bool has = letter < kRanges[0] || letter > IM_UNICODE_CODEPOINT_MAX ||
+                   letter == IM_UNICODE_CODEPOINT_INVALID;
+        for (std::size_t i = 0; i + 1 < kRanges.size(); i += 2) {
+            has = has || (letter >= kRanges[i] && letter <= kRanges[i + 1]);
+        }
+        if (!has) letters.insert(static_cast<ImWchar>(letter));
+    }
+    return letters.size() > before;
+}
+
 void loadFonts(double scale) {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
+    findGlyphRanges();
     io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
     const std::string symbols = findFont({"truetype/dejavu/DejaVuSans.ttf"});
     const std::string text =
@@ -136,14 +167,16 @@ void loadFonts(double scale) {
     const std::string bold =
         findFont({"opentype/inter/Inter-SemiBold.otf", "truetype/dejavu/DejaVuSans-Bold.ttf"});
     const std::string mono = findFont({"truetype/dejavu/DejaVuSansMono.ttf"});
+    const std::string asian = findFont(
+        {"truetype/droid/DroidSansFallbackFull.ttf", "opentype/noto/NotoSansCJK-Regular.ttc"});
     if (text.empty()) {
         log::warn("editor",
                   "no font found; install fonts-inter or fonts-dejavu-core for readable text");
     }
     const auto size = static_cast<float>(15.0 * scale);
-    state().fonts.text = load(text, symbols, size);
-    state().fonts.bold = load(bold, symbols, size);
-    state().fonts.mono = load(mono, {}, size * 0.93F);
+    state().fonts.text = load(text, {symbols, asian}, size);
+    state().fonts.bold = load(bold, {symbols, asian}, size);
+    state().fonts.mono = load(mono, {asian}, size * 0.93F);
     io.FontDefault = state().fonts.text;
 }
 

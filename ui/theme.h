@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <string_view>
 
 namespace dollytrack::ui {
 
@@ -19,6 +20,10 @@ struct Fonts {
     ImFont* mono = nullptr;
 };
 
+/// Remembers letters of `text` (UTF-8) that loadFonts() does not load otherwise, as in Chinese or
+/// Russian names of objects. Returns whether there are new ones, so that the fonts must be loaded
+/// again.
+bool addLetters(std::string_view text);
 /// Loads the fonts at `scale` (1: 96 dots per inch) into the atlas of the current ImGui context.
 /// Falls back to ImGui's built-in font, with a logged warning, if the font packages are missing.
 void loadFonts(double scale);

@@ -1,10 +1,7 @@
 #include "app/editor/editor.h"
 
 #include "engine/core/log.h"
-#include "engine/geometry/ray_caster.h"
-#include "render/draw/storey_cutaway.h"
 #include "ui/theme.h"
-#include "ui/viewport/unobstructed_view.h"
 #include "ui/widgets/splitter.h"
 
 #include <GLFW/glfw3.h>
@@ -129,12 +126,14 @@ void Editor::refreshScene() {
         noted_file_.clear();
         noteOpening();
         drawing_.setScene({});
+        restoreView();
     }
     const PlanOutcome& shown = workspace_.shown();
     selected_.follow(shown.objects);
     if (plan_timeline_.follow(shown.scene.get(), shown.rays.get(), shown.plan,
                               shown.params.camera.camera_radius_m)) {
         playback_.setFrameCount(frameCount());
+        if (plan() != nullptr && stored_frame_) goToFrame(*std::exchange(stored_frame_, {}));
         goToRecordedKey();
         if (plan() != nullptr) {
             step_playback_.goTo(
@@ -149,7 +148,16 @@ void Editor::refreshScene() {
         }
     }
     if (!shown.scene) return;
+    loadLettersOf(shown.scene);
     scene_sync_.send(shown, workspace_.lighter());
+}
+
+void Editor::loadLettersOf(const std::shared_ptr<const Scene>& scene) {
+    if (scene_of_letters_.lock() == scene) return;
+    scene_of_letters_ = scene;
+    bool more = ui::addLetters(workspace_.sceneFile().string());
+    for (const Object& object : scene->objects) more = ui::addLetters(object.name) || more;
+    if (more) window_.requestFonts(window_.contentScale() * settings_.zoom);
 }
 
 void Editor::noteOpening() {
@@ -421,44 +429,6 @@ void Editor::selectObject(int object, bool add) {
 void Editor::goToFrame(int frame) {
     playback_.goTo(frame);
     panels_.preview.shows_selection = false;
-}
-
-void Editor::leaveCameraView() {
-    if (!std::exchange(through_camera_, false)) return;
-    // Who looks around or flies continues from the pose of the plan's camera.
-    const bool looks = panels_.viewport.drag == ui::ViewportState::Drag::Look;
-    if (!looks || plan() == nullptr || playback_.frame() >= frameCount()) return;
-    ui::ViewerCamera& camera = panels_.viewport.camera;
-    camera.orthographic = false;
-    camera.standAt(plan()->trajectory.frames[playback_.frame()].pose, camera.distance);
-}
-
-void Editor::lookAlongPose(const Pose& pose) {
-    through_camera_ = false;
-    panels_.viewport.camera.orthographic = false;
-    panels_.viewport.camera.standAt(pose, 1.5);
-}
-
-void Editor::bringIntoView(const Eigen::AlignedBox3d& box) {
-    if (box.isEmpty()) return;
-    leaveCameraView();
-    ui::ViewerCamera& camera = panels_.viewport.camera;
-    camera.frame(box, static_cast<double>(pane_.width) / std::max(pane_.height, 1));
-    camera.distance = std::max(camera.distance, 0.8);
-}
-
-void Editor::showUnobstructed(const Eigen::AlignedBox3d& box) {
-    bringIntoView(box);
-    const ui::ViewerCamera camera = panels_.viewport.camera;
-    const PlanOutcome& shown = workspace_.shown();
-    if (box.isEmpty() || !shown.rays || camera.orthographic) return;
-    panels_.viewport.camera = ui::unobstructedView(camera, [&](const ui::ViewerCamera& tried) {
-        const render::View view = viewportView(tried);
-        const auto left_away = [&](int object, const Eigen::Vector3d& at) {
-            return render::isCutAway(view, *shown.scene, object, at);
-        };
-        return ui::shareSeen(*shown.rays, tried.pose().position, box, left_away);
-    });
 }
 
 void Editor::runKeys() {

@@ -82,6 +82,8 @@ class Editor {
     /// Called when a file has been opened. Decides whether to show the bars that warn of doubtful
     /// import settings and of missing textures.
     void noteOpening();
+    /// Loads the fonts again if the names of objects have letters that were not loaded so far.
+    void loadLettersOf(const std::shared_ptr<const Scene>& scene);
     void autosave();
     void rememberSettings();
     void setTheme();
@@ -159,6 +161,11 @@ class Editor {
     void addTimelineTo(nlohmann::json& state) const;
     void addViewTo(nlohmann::json& state);
     void addWindowTo(nlohmann::json& state);
+    /// The viewport's camera, the frame and the hidden objects, as a section of the project file;
+    /// the plan does not depend on it.
+    [[nodiscard]] nlohmann::json viewToStore() const;
+    /// Takes the stored view of a project that was just opened, if it has one.
+    void restoreView();
     /// Adds the displayed objects, position points and plan to the JSON state that
     /// the inspector returns.
     void addSceneAndPlanTo(nlohmann::json& state);
@@ -461,8 +468,10 @@ class Editor {
     };
     // Camera paths read from files, and their repairs; undo and redo return to them.
     std::vector<ReadMotion> read_motions_;
-    SharedMotion repaired_motion_;          // result of the last repair
-    std::string motion_change_;             // what that changed
+    SharedMotion repaired_motion_;                 // result of the last repair
+    std::string motion_change_;                    // what that changed
+    std::weak_ptr<const Scene> scene_of_letters_;  // see loadLettersOf()
+    std::optional<int> stored_frame_;       // stored frame of a project whose plan is awaited
     std::optional<double> recorded_key_s_;  // time of a key that the playhead shall move to
     SharedMotion made_motion_;              // result of the last camera move
     std::string move_note_;                 // how obstacles changed that move

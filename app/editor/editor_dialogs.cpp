@@ -110,6 +110,7 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
             "before another is opened");
     } else if (answer.id == "save") {
         // The dialog has already confirmed replacing an existing file.
+        workspace_.setView(viewToStore());
         workspace_.save(answer.path, Workspace::OnConflict::Overwrite);
     } else if (answer.id == "annotations") {
         const ProjectFile project = workspace_.snapshot(false);
@@ -149,6 +150,7 @@ void Editor::save() {
     if (workspace_.path().empty()) {
         askForFile("save");
     } else {
+        workspace_.setView(viewToStore());
         workspace_.save(workspace_.path(), Workspace::OnConflict::Ask);
     }
 }

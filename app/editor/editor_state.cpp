@@ -1,4 +1,5 @@
 #include "app/editor/editor.h"
+#include "engine/core/log.h"
 #include "engine/document/edits_json.h"
 #include "ui/panels/edits/edit_parts.h"
 #include "ui/widgets/cut_lines.h"
@@ -7,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace dollytrack::editor {
 
@@ -185,6 +188,45 @@ void Editor::addViewTo(nlohmann::json& state) {
                         {"final_light", drawing_.finalLight()}};
     state["picture_ms"] = drawing_.view().milliseconds;
     state["picture_serial"] = drawing_.view().serial;
+}
+
+nlohmann::json Editor::viewToStore() const {
+    const ui::ViewerCamera& camera = panels_.viewport.camera;
+    return {{"camera",
+             {{"pivot", {camera.pivot.x(), camera.pivot.y(), camera.pivot.z()}},
+              {"azimuth", camera.azimuth},
+              {"elevation", camera.elevation},
+              {"distance", camera.distance},
+              {"orthographic", camera.orthographic}}},
+            {"frame", playback_.frame()},
+            {"hidden", numbersOf(selected_.hidden())}};
+}
+
+void Editor::restoreView() {
+    stored_frame_.reset();
+    if (!workspace_.isOpen() || workspace_.storedView().is_null()) return;
+    try {
+        const nlohmann::json& view = workspace_.storedView();
+        ui::ViewerCamera camera = panels_.viewport.camera;
+        const nlohmann::json& stored = view.at("camera");
+        for (int k = 0; k < 3; ++k) camera.pivot[k] = stored.at("pivot").at(k);
+        camera.azimuth = stored.at("azimuth");
+        camera.elevation = stored.at("elevation");
+        camera.distance = stored.at("distance");
+        camera.orthographic = stored.at("orthographic");
+        const int frame = view.at("frame");
+        selected_.hideAtFirst(view.at("hidden").get<std::vector<int>>());
+        stored_frame_ = std::max(frame, 0);
+        constexpr double kFarthest_m = 1e4;
+        if (camera.pivot.norm() > kFarthest_m || camera.distance < 0.05 ||
+            camera.distance > kFarthest_m || std::abs(camera.elevation) > 0.5 * std::numbers::pi) {
+            return;
+        }
+        panels_.viewport.camera = camera;
+        static_cast<void>(scene_sync_.takeFirstView());
+    } catch (const nlohmann::json::exception&) {
+        log::warn("project", "the stored view of the editor is damaged and is not used");
+    }
 }
 
 void Editor::addWindowTo(nlohmann::json& state) {

@@ -1,6 +1,9 @@
 #include "app/editor/editor.h"
 
+#include "engine/geometry/ray_caster.h"
 #include "planning/free_space/free_space.h"
+#include "render/draw/storey_cutaway.h"
+#include "ui/viewport/unobstructed_view.h"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -160,7 +163,11 @@ void Editor::addHidingCommands() {
                    "Show all hidden objects",
                    {GLFW_KEY_H, false, false, true},
                    [this] { selected_.showAll(); },
-                   needs_scene});
+                   [this]() -> std::string {
+                       return std::ranges::count(selected_.hidden(), true) > 0
+                                  ? ""
+                                  : "No object is hidden.";
+                   }});
     const auto local = [this] { toggleLocalView(); };
     commands_.add({"view.local",
                    "View",
@@ -347,6 +354,44 @@ void Editor::toggleClipBox() {
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kMargin_m);
     clip_.begin(workspace_.shown().scene->room_bounds);
     if (!around.isEmpty()) clip_.box = {around.min() - margin, around.max() + margin};
+}
+
+void Editor::leaveCameraView() {
+    if (!std::exchange(through_camera_, false)) return;
+    // Who looks around or flies continues from the pose of the plan's camera.
+    const bool looks = panels_.viewport.drag == ui::ViewportState::Drag::Look;
+    if (!looks || plan() == nullptr || playback_.frame() >= frameCount()) return;
+    ui::ViewerCamera& camera = panels_.viewport.camera;
+    camera.orthographic = false;
+    camera.standAt(plan()->trajectory.frames[playback_.frame()].pose, camera.distance);
+}
+
+void Editor::lookAlongPose(const Pose& pose) {
+    through_camera_ = false;
+    panels_.viewport.camera.orthographic = false;
+    panels_.viewport.camera.standAt(pose, 1.5);
+}
+
+void Editor::bringIntoView(const Eigen::AlignedBox3d& box) {
+    if (box.isEmpty()) return;
+    leaveCameraView();
+    ui::ViewerCamera& camera = panels_.viewport.camera;
+    camera.frame(box, static_cast<double>(pane_.width) / std::max(pane_.height, 1));
+    camera.distance = std::max(camera.distance, 0.8);
+}
+
+void Editor::showUnobstructed(const Eigen::AlignedBox3d& box) {
+    bringIntoView(box);
+    const ui::ViewerCamera camera = panels_.viewport.camera;
+    const PlanOutcome& shown = workspace_.shown();
+    if (box.isEmpty() || !shown.rays || camera.orthographic) return;
+    panels_.viewport.camera = ui::unobstructedView(camera, [&](const ui::ViewerCamera& tried) {
+        const render::View view = viewportView(tried);
+        const auto left_away = [&](int object, const Eigen::Vector3d& at) {
+            return render::isCutAway(view, *shown.scene, object, at);
+        };
+        return ui::shareSeen(*shown.rays, tried.pose().position, box, left_away);
+    });
 }
 
 }  // namespace dollytrack::editor

@@ -146,7 +146,7 @@ bool SelectionTracker::keepPlace(const Plan* plan, const std::vector<PinnedPoint
 void SelectionTracker::follow(const std::shared_ptr<const ObjectTrace>& objects) {
     if (!objects || objects == objects_now_) return;
     const std::shared_ptr<const ObjectTrace> before = std::exchange(objects_now_, objects);
-    // The first scene of a project has no predecessor: nothing is hidden.
+    // The first scene of a project has no predecessor: ids stored with the project are its own.
     const ObjectTrace& from = before ? *before : *objects;
     hidden_ = followFlags(hidden_, from, *objects);
     local_ = followObjects(local_, from, *objects);
@@ -162,6 +162,15 @@ void SelectionTracker::forget() {
     hidden_.clear();
     local_.clear();
     objects_now_.reset();
+}
+
+void SelectionTracker::hideAtFirst(const std::vector<int>& objects) {
+    constexpr int kMost = 1'000'000;
+    for (const int id : objects) {
+        if (id < 1 || id > kMost) continue;
+        if (static_cast<std::size_t>(id) >= hidden_.size()) hidden_.resize(id + 1, false);
+        hidden_[id] = true;
+    }
 }
 
 void SelectionTracker::toggleHidden(int object) {

@@ -16,6 +16,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// The section of a project file with the editor's view.
+constexpr const char* kView = "view";
+
+/// The hidden objects of a view. Another camera or frame alone is no reason to write a file.
+nlohmann::json hiddenIn(const nlohmann::json& view) {
+    const bool has = view.is_object() && view.contains("hidden");
+    return has ? view["hidden"] : nlohmann::json::array();
+}
+
 }  // namespace
 
 Workspace::Workspace(std::function<void()> wake)
@@ -61,6 +70,7 @@ void Workspace::readAgain(const nlohmann::json& import) {
     outcome.history = stack_.history();
     outcome.import_before = opened_->import;
     ProjectFile file = snapshot(false);
+    file.others.erase(kView);  // another unit or axis moves everything
     file.import = import;
     file.file_sha256 = fileContent();
     startLoading(std::move(outcome), [file, project = path()] { return contentOf(file, project); });
@@ -155,6 +165,7 @@ void Workspace::install(OpenedProject opened, std::optional<CommandStack::Histor
     }
     if (!opened.project.empty()) known_files_->remember(opened.project, opened.file_sha256);
     file_has_plan_ = opened.file_has_plan;
+    view_in_file_ = opened.others.value(kView, nlohmann::json());
     opened_ = std::move(opened);
     replan();
 }
@@ -216,15 +227,21 @@ ProjectFile Workspace::snapshot(bool with_plan) const {
     return file;
 }
 
+void Workspace::setView(const nlohmann::json& view) {
+    if (isOpen()) opened_->others[kView] = view;
+}
+
 void Workspace::save(const std::filesystem::path& path, OnConflict on_conflict) {
     if (!isOpen()) return;
     const bool planned = planIsCurrent() && shown_.plan;
     const bool asks = on_conflict == OnConflict::Ask;
-    const bool nothing_new =
-        asks && !unsaved() && path == this->path() && (file_has_plan_ || !planned);
+    const bool nothing_new = asks && !unsaved() && path == this->path() &&
+                             (file_has_plan_ || !planned) &&
+                             hiddenIn(opened_->others.value(kView, nlohmann::json())) == hiddenIn(view_in_file_);
     SaveOrder order;
     order.outcome = {++save_serial_, document_, path, stack_.state(), planned};
     order.file = snapshot(false);
+    order.outcome.view = order.file.others.value(kView, nlohmann::json());
     order.scene = shown_.scene;
     if (planned) order.plan = shown_.plan;
     order.asks = asks;
@@ -278,6 +295,7 @@ void Workspace::finishSaving(SaveOutcome outcome) {
     opened_->project = outcome.path;
     file_watch_.beginAnew();
     file_has_plan_ = outcome.has_plan;
+    view_in_file_ = std::move(outcome.view);
     stack_.markSaved(outcome.state);
 }
 

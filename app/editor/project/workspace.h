@@ -48,6 +48,10 @@ class Workspace {
     void keepImport();
     void cancelOpening() { loader_.cancel(); }
     void close();
+    /// Sets the editor's view, a section of the project that is stored with save().
+    void setView(const nlohmann::json& view);
+    /// The view that the open project was read with; null: none.
+    [[nodiscard]] const nlohmann::json& storedView() const { return view_in_file_; }
     /// What save() does if another program has changed the file since it was read or written here.
     enum class OnConflict { Ask, Overwrite };
     /// Saves the project in the background, with the plan if it is current. Errors arrive as
@@ -169,6 +173,7 @@ class Workspace {
         bool has_plan = false;
         Status status = {};
         bool changed_elsewhere = false;  // so nothing was written
+        nlohmann::json view = {};        // the editor's view in the file
         bool was_there = false;          // the file was up to date, so nothing was written
     };
 
@@ -209,6 +214,7 @@ class Workspace {
     std::optional<nlohmann::json> import_before_;
     bool keeps_import_ = false;  // see keepImport()
     bool file_has_plan_ = false;
+    nlohmann::json view_in_file_;
     std::optional<std::filesystem::path> changed_file_;
     std::shared_ptr<KnownFiles> known_files_ = std::make_shared<KnownFiles>();
     FileWatch file_watch_;

@@ -3,6 +3,8 @@ import json
 import subprocess
 import time
 
+import numpy
+
 from task import SOFA, Programs, Task
 
 
@@ -33,6 +35,41 @@ class Files(Task):
             self.assertEqual(after[key], before[key])
         self.assertEqual(after["edits"]["changes"], before["edits"]["changes"])
         self.assertFalse(after["unsaved"])
+
+    def test_save_and_reopen_what_is_hidden_the_frame_and_the_view(self):
+        self.start_project()
+        self.editor.click(f"objects.eye.{SOFA}")
+        self.editor.point("viewport")
+        x, y = self.editor.middle("viewport")
+        self.editor.drag((x, y - 60), (x + 120, y - 20))
+        for _ in range(3):
+            self.editor.key("right")
+        before = self.editor.idle()
+        self.assertEqual(before["hidden_ids"], [SOFA])
+        self.assertGreater(before["frame"], 0)
+        self.editor.key("ctrl+s")
+        self.editor.idle()
+        self.assertEqual(json.loads(self.project.read_text())["view"]["hidden"], [SOFA])
+        self.editor.tap("ctrl+q")
+        self.assertEqual(self.editor.wait_end(), 0)
+        self.editor.tidy()
+        after = self.start(self.project)
+        for key in ("hidden_ids", "frame"):
+            self.assertEqual(after[key], before[key])
+        for key, value in before["camera"].items():
+            numpy.testing.assert_allclose(after["camera"][key], value, atol=1e-9, err_msg=key)
+
+    def test_a_damaged_view_is_not_used(self):
+        self.start_project()
+        self.editor.tap("ctrl+q")
+        self.assertEqual(self.editor.wait_end(), 0)
+        self.editor.tidy()
+        content = json.loads(self.project.read_text())
+        content["view"] = {"camera": {"pivot": "here"}, "frame": 3, "hidden": [SOFA]}
+        self.project.write_text(json.dumps(content))
+        state = self.start(self.project)
+        self.assertEqual(state["frame"], 0)
+        self.assertEqual(state["hidden"], 0)
 
     def test_a_project_saved_on_the_way_out_is_among_the_recent_ones(self):
         self.changed_room()
