@@ -228,11 +228,19 @@ Status checkSettings(const DatasetSettings& settings) {
 
 namespace {
 
-/// The share of an export's progress that its preparation takes, above all its light: about as much
-/// time as drawing 60 frames. The time left is estimated by it.
-double preparationShare(std::size_t frames) {
-    constexpr double kFrames = 60.0;
-    return std::clamp(kFrames / (kFrames + static_cast<double>(frames)), 0.05, 0.8);
+/// The share of an export's progress that its preparation takes; the time left is estimated by it.
+/// Light takes about as much time as drawing 60 frames, everything else as drawing 5.
+double preparationShare(const DatasetSettings& settings, std::size_t frames) {
+    unsigned needs = 0;
+    const auto modalities = chooseModalities(settings.modalities, {!settings.rig.empty(), true});
+    const auto formats = chooseFormats(settings.formats);
+    // Unknown names are refused later.
+    if (modalities)
+        for (const Modality* one : *modalities) needs |= one->needs;
+    if (formats)
+        for (const Format* one : *formats) needs |= one->needs;
+    const double prepared = (needs & kNeedsLight) != 0 ? 60.0 : 5.0;
+    return std::clamp(prepared / (prepared + static_cast<double>(frames)), 0.05, 0.8);
 }
 
 }  // namespace
@@ -243,7 +251,7 @@ Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context, const
                                      DatasetOrigin origin, const JobContext& job) {
     const std::size_t count =
         framesOf(settings.range, static_cast<int>(trajectory.frames.size())).size();
-    const double prepared = preparationShare(count);
+    const double prepared = preparationShare(settings, count);
     Result<DatasetJob> dataset =
         DatasetJob::begin(std::move(context), scene, rays, trajectory, camera, std::move(settings),
                           std::move(origin), job.stage(0.0, prepared, ""));

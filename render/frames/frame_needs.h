@@ -15,4 +15,8 @@ enum FrameNeeds : unsigned {
     kNeedsLayers = 1U << 13U,      // light by layer; only path-traced images have it
 };
 
+/// Needs whose images show light, which takes long to prepare.
+inline constexpr unsigned kNeedsLight =
+    kNeedsRgb | kNeedsLayers | kNeedsRight | kNeedsRig | kNeedsSensorLight;
+
 }  // namespace dollytrack::render

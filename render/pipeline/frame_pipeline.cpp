@@ -12,6 +12,9 @@ namespace {
 /// Images that are drawn after the frame's labels are read back.
 constexpr unsigned kNeedsLater = kNeedsRight | kNeedsRig | kNeedsSensorLight;
 
+/// A light grid that takes hardly any time, for depth, labels and all else that shows no light.
+constexpr LightVolumeParams kUnlit = {.max_cells = 64, .rays_per_cell = 1, .bounces = 1};
+
 }  // namespace
 
 FramePipeline::FramePipeline(const FrameContext& context, const CaptureRules& rules, unsigned needs,
@@ -33,8 +36,12 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
     if (missing_.empty()) return {};
     const Scene& scene = contents_.scene;
     LightParams wanted = contents_.light;
-    if (!needs(kNeedsRgb | kNeedsLayers | kNeedsLater)) wanted.light_varies = LightVaries::Scene;
-    lights_.emplace(scene, rays, rooms, wanted, LightVolumeParams{}, job);
+    LightVolumeParams grid;
+    if (!needs(kNeedsLight)) {
+        wanted.light_varies = LightVaries::Scene;
+        grid = kUnlit;
+    }
+    lights_.emplace(scene, rays, rooms, wanted, grid, job);
     LightVolume light = lights_->volume();
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
     if (picture_.render_mode != RenderMode::Fast) {
