@@ -85,13 +85,25 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path) {
     return project;
 }
 
+namespace {
+
+/// The folder of a file, without links and "..", which lexically_relative() would take for names.
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(folder, error);
+    return error ? folder.lexically_normal() : real;
+}
+
+}  // namespace
+
 Result<std::string> projectText(const ProjectFile& project, const std::filesystem::path& path) {
     if (Status readable = checkWrittenPlan(project.result); !readable) {
         return tl::unexpected(readable.error());
     }
     nlohmann::json json = project.others.is_object() ? project.others : nlohmann::json::object();
-    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-    const std::filesystem::path scene = std::filesystem::absolute(project.scene);
+    const std::filesystem::path folder = folderOf(path);
+    const std::filesystem::path scene = folderOf(project.scene) / project.scene.filename();
     const std::filesystem::path relative = scene.lexically_relative(folder);
     // Older programs can read files without edits, so write the older version for these.
     json["dollytrack_project"] = project.edits.empty() ? 1 : ProjectFile::kVersion;

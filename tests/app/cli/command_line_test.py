@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import time
@@ -293,6 +294,21 @@ class CommandLine(FolderCase):
         path = self.folder / "moved.dolly"
         path.write_text(json.dumps(project))
         self.assertFails(run("export", path, "--out", self.folder / "x"), 4, "moved.obj", "project")
+
+    def test_a_project_in_another_folder_finds_its_scene(self):
+        there = self.folder / "there"
+        beside = self.folder / "beside"
+        for folder in (there, beside):
+            folder.mkdir()
+        shutil.copy(self.room, there / "room.obj")
+        (self.folder / "link").symlink_to(beside, target_is_directory=True)
+        for output in ("../beside/one.dolly", "../link/two.dolly", "three.dolly"):
+            planned = run("plan", "room.obj", "-o", output, "--max-frames", "20", cwd=there)
+            self.assertEqual(planned.returncode, 0, planned.stderr)
+            project = there / output
+            stored = json.loads(project.read_text())["scene"]["path"]
+            self.assertFalse(pathlib.Path(stored).is_absolute(), stored)
+            self.assertEqual(run("info", project).returncode, 0, stored)
 
     def test_broken_projects_are_bad_input(self):
         def project(text):
