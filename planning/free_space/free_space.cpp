@@ -231,6 +231,32 @@ void FreeSpace::Impl::makeGapTable() {
     }
 }
 
+namespace {
+
+/// Why a scene has no room for the camera, and what can be done.
+std::string whyNoRoom(const Scene& scene, double camera_radius_m, double resolution_m) {
+    const Eigen::Vector3d size = scene.room_bounds.sizes();
+    const std::string extent =
+        inMetres(size.x()) + " x " + inMetres(size.y()) + " x " + inMetres(size.z());
+    const std::string frame =
+        "give another unit (--unit) or up axis (--up) if the scene should not be " + extent;
+    if (scene.objects.size() == 1) {
+        return "the scene is a single object of " + extent +
+               " without space for a camera in it; a scene needs a room; " + frame;
+    }
+    if (std::ranges::none_of(scene.objects, &Object::structure)) {
+        return "no object is a floor, a wall or a ceiling, and there is no space for a camera "
+               "between the objects; a scene needs a room. If it has one, give its walls and floor "
+               "a class (--labels), or " +
+               frame;
+    }
+    return "no room of the scene has space for a camera of radius " + inMetres(camera_radius_m) +
+           " at cells of " + inMetres(resolution_m) +
+           "; lower camera_radius_m and near_m, or octree_resolution_m, or " + frame;
+}
+
+}  // namespace
+
 FreeSpace::FreeSpace(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 FreeSpace::~FreeSpace() = default;
 FreeSpace::FreeSpace(FreeSpace&&) noexcept = default;
@@ -300,25 +326,9 @@ Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, co
         found = impl->findBestRooms(scene, rays, moved, rule, job);
     }
     if (!found) return tl::unexpected(found.error());
-    if (found->rooms.empty() && scene.objects.size() == 1) {
-        const Eigen::Vector3d size = scene.room_bounds.sizes();
-        return fail(ErrorCode::BadInput,
-                    "the scene is a single object of " + inMetres(size.x()) + " x " +
-                        inMetres(size.y()) + " x " + inMetres(size.z()) +
-                        " without space for a camera in it; a scene needs a room",
-                    scene.name);
-    }
     if (found->rooms.empty()) {
-        const Eigen::Vector3d size = scene.room_bounds.sizes();
         return fail(ErrorCode::BadInput,
-                    "no room of the scene has space for a camera of radius " +
-                        inMetres(camera.camera_radius_m) + " at cells of " +
-                        inMetres(impl->grid.resolution_m) +
-                        "; lower camera_radius_m and near_m, or octree_resolution_m, or give "
-                        "another unit (--unit) or up axis (--up) if the building should not be " +
-                        inMetres(size.x()) + " x " + inMetres(size.y()) + " x " +
-                        inMetres(size.z()),
-                    scene.name);
+                    whyNoRoom(scene, camera.camera_radius_m, impl->grid.resolution_m), scene.name);
     }
     impl->found = std::move(*found);
     impl->measureScanned(rule);

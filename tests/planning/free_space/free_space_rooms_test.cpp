@@ -123,6 +123,31 @@ TEST(FreeSpaceRooms, ADollHouseOfTwoWallsAndAFloorIsARoom) {
     EXPECT_EQ(space.stateAt({1, 3, 0.4}), CellState::Unknown);
 }
 
+// From its roomiest place, at the open corner, hardly a ray meets anything.
+TEST(FreeSpaceRooms, ASmallDollHouseIsARoomToo) {
+    SceneBuilder builder;
+    builder.object("floor", kFloorLook).quad({0, 0, 0}, {2.4, 0, 0}, {0, 2.4, 0});
+    builder.object("wall_north", kWallLook).quad({0, 2.4, 0}, {2.4, 0, 0}, {0, 0, 2.2});
+    builder.object("wall_west", kWallLook).quad({0, 0, 0}, {0, 2.4, 0}, {0, 0, 2.2});
+    for (int i = 0; i < 4; ++i) {
+        builder.object("sofa", kSofaLook).box({0.4, 0.4 + 0.5 * i, 0.4}, {0.6, 0.4, 0.8});
+    }
+    const FreeSpace space = map(builder.build());
+    ASSERT_EQ(space.rooms().size(), 1U);
+    EXPECT_EQ(space.stateAt({1.5, 1.5, 1.2}), CellState::Free);
+}
+
+TEST(FreeSpaceRooms, FurnitureAloneIsNoRoom) {
+    SceneBuilder builder;
+    builder.object("sofa", kSofaLook).box({1, 1, 0.4}, {1, 1, 0.8});
+    builder.object("shelf", kSofaLook).box({2.2, 1, 1}, {0.8, 0.4, 2});
+    const Scene scene = builder.build();
+    const auto space = FreeSpace::build(scene, RayCaster(scene), CameraParams{}, FreeSpaceParams{});
+    ASSERT_FALSE(space);
+    EXPECT_NE(space.error().message.find("no object is a floor"), std::string::npos)
+        << space.error().message;
+}
+
 TEST(FreeSpaceRooms, RoomsJoinedByADoorAreOne) {
     const FreeSpace open = map(test::twoRoomsWithDoor(0.6));
     ASSERT_EQ(open.rooms().size(), 1U);
