@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <sstream>
@@ -142,6 +144,32 @@ std::vector<std::string> messagesOf(const BlenderRun& run, std::string_view kind
     return found;
 }
 
+/// The version of Blender that saved a file, times 100: 403 for 4.3; 0 if it is compressed.
+int savedBy(const std::filesystem::path& scene) {
+    const Result<InputFile> input = openNamedFile(scene);
+    std::string header(17, '\0');
+    if (!input || input->read(0, header.data(), header.size()) == 0) return 0;
+    // "BLENDER-v403", or "BLENDER17-01v0500" since Blender 5.
+    const std::size_t v = header.find_first_of("vV", 7);
+    if (!header.starts_with("BLENDER") || v == std::string::npos) return 0;
+    int version = 0;
+    std::from_chars(header.data() + v + 1, header.data() + header.size(), version);
+    return version;
+}
+
+/// The version of the Blender that ran, from its first message ("Blender 3.4.1"), times 100; 0 if
+/// it said none.
+int ranVersion(const BlenderRun& run) {
+    int major = 0;
+    int minor = 0;
+    const std::size_t at = run.messages.find("Blender ");
+    if (at == std::string::npos ||
+        std::sscanf(run.messages.c_str() + at, "Blender %d.%d", &major, &minor) != 2) {
+        return 0;
+    }
+    return 100 * major + minor;
+}
+
 /// The error for a run that made nothing.
 tl::unexpected<Error> whyNot(const BlenderRun& run, const fs::path& blender,
                              const fs::path& scene) {
@@ -159,6 +187,20 @@ tl::unexpected<Error> whyNot(const BlenderRun& run, const fs::path& blender,
                     blender.string() +
                         " cannot be run in the sandbox; install Blender in /usr or "
                         "/opt (sudo apt install blender)",
+                    where);
+    }
+    const int saved = savedBy(scene);
+    const int ran = ranVersion(run);
+    // A Blender that crashes may not have said its version.
+    const bool too_old = ran > 0 ? saved / 100 > ran / 100 : run.end.signal != 0 && saved >= 400;
+    if (too_old) {
+        const std::string version = fmt::format("{}.{}", saved / 100, saved % 100);
+        return fail(ErrorCode::BadInput,
+                    "the file was saved by Blender " + version + " and the installed " +
+                        (ran > 0 ? fmt::format("Blender {}.{}", ran / 100, ran % 100)
+                                 : std::string("one")) +
+                        " cannot convert it; install Blender " + version +
+                        " or newer (blender.org), or export glTF there",
                     where);
     }
     if (run.end.signal != 0) {

@@ -97,6 +97,19 @@ bool isTrailingAdjective(const std::string& word) {
     return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
+/// Whether a word of the name ends in "Mat" for material: "orangeMat", "lampMat_0".
+bool endsInMat(std::string_view name) {
+    constexpr std::string_view kMat = "Mat";
+    for (std::size_t at = name.find(kMat); at != std::string_view::npos;
+         at = name.find(kMat, at + 1)) {
+        const auto isSmall = [&](std::size_t i) {
+            return i < name.size() && std::islower(static_cast<unsigned char>(name[i])) != 0;
+        };
+        if (at > 0 && isSmall(at - 1) && !isSmall(at + kMat.size())) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 bool isStructureClass(int nyu40) {
@@ -295,9 +308,10 @@ Label LabelTable::find(std::string_view name) const {
             const auto found = entries_.find(text);
             if (found == entries_.end()) continue;
             if (i + n <= weak_end) break;  // "board" in "gypsum board"
-            // "DarkWoodMat" and "GlassTableMat" name materials.
+            // "DarkWood_Mat", "Glass table mat" and "orangeMat" name materials.
             const bool is_material =
-                text == "mat" && (weak.kind != LabelKind::None || best.kind != LabelKind::None);
+                text == "mat" &&
+                (weak.kind != LabelKind::None || best.kind != LabelKind::None || endsInMat(name));
             if (is_material) break;
             const Label label{found->second.kind, found->second.nyu40, text};
             spanned = std::max(spanned, i + n);

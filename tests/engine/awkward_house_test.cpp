@@ -1,6 +1,7 @@
 #include "engine/document/apply_scene_edits.h"
 #include "engine/io/import/oddity_notes.h"
 #include "engine/io/import/scene_import.h"
+#include "engine/io/object_parts/object_grouping.h"
 #include "engine/scene/labels.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
@@ -121,9 +122,10 @@ TEST(AwkwardHouse, SidesOfAnotherMaterialLieOnTheirSide) {
         std::string text;
         std::istringstream lines(both);
         for (std::string line; std::getline(lines, line);) {
-            text += (text.empty() ? "" : "\n") + ("usemtl outside\n" + line);
+            if (!text.empty()) text += "\n";
+            text.append("usemtl outside\n").append(line);
             std::getline(lines, line);
-            text += "\nusemtl inside\n" + line;
+            text.append("\nusemtl inside\n").append(line);
         }
         return text;
     };
@@ -223,6 +225,63 @@ TEST(AwkwardHouse, NumberedThingsAreNoPieces) {
     const Scene scene = importedText(obj.text());
     EXPECT_FALSE(says(scene.report.notes, "numbered pieces"));
     EXPECT_NE(find(scene, "box_7"), nullptr);
+}
+
+/// As in OBJ files of Cinema 4D, whose groups are named by their paths.
+TEST(AwkwardHouse, PiecesWithOnePathAreFurniture) {
+    ObjWriter obj = furnished();
+    int number = 0;
+    const auto piece = [&](const std::string& path) -> ObjWriter& {
+        return obj.object(path + " W_rfel_" + std::to_string(++number));
+    };
+    for (int i = 0; i < 3; ++i) {
+        const double x = 0.5 + i;
+        const std::string path = "office island chair_Instanz_" + std::to_string(i);
+        piece(path).box({x, 0.5, 0}, {x + 0.04, 0.54, 0.45});
+        piece(path).box({x + 0.36, 0.5, 0}, {x + 0.4, 0.54, 0.45});
+        piece(path).box({x, 0.5, 0.46}, {x + 0.4, 0.9, 0.5});
+    }
+    obj.object("red chair left").box({0.5, 3.2, 0}, {0.9, 3.6, 0.9});
+    obj.object("red chair right").box({2.5, 3.2, 0}, {2.9, 3.6, 0.9});
+    std::string text = obj.text();
+    for (std::size_t at = 0; (at = text.find("\no ", at)) != std::string::npos; ++at) {
+        text[at + 1] = 'g';
+    }
+    const Scene scene = importedText(text);
+    EXPECT_TRUE(says(scene.report.notes, "6 pieces whose names have the same path"));
+    for (int i = 0; i < 3; ++i) {
+        const Object* chair = find(scene, "office island chair_Instanz_" + std::to_string(i));
+        ASSERT_NE(chair, nullptr);
+        EXPECT_EQ(chair->nyu40, 5);
+        EXPECT_NEAR(2.0 * chair->box.half_size.z(), 0.5, 1e-3);
+    }
+    EXPECT_NE(find(scene, "red chair left"), nullptr);
+    EXPECT_NE(find(scene, "red chair right"), nullptr);
+}
+
+/// As in files of Sketchfab, where each mesh is named after its object and its material.
+TEST(AwkwardHouse, ANodeOfARoomIsNotOneObject) {
+    const auto draftsOf = [](const std::string& parent, const std::vector<std::string>& suffixes) {
+        RawScene raw;
+        raw.nodes = {{"scene.gltf", -1, 1}, {parent, 0, 0}};
+        for (const std::string& suffix : suffixes) {
+            MeshPart part;
+            part.node = static_cast<int>(raw.nodes.size());
+            part.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+            part.triangles = {{0, 1, 2}};
+            raw.nodes.push_back({parent + "_" + suffix, 1, 0});
+            raw.parts.push_back(part);
+        }
+        std::string names;
+        for (const ObjectDraft& draft : groupByNodes(raw, LabelTable::builtIn())) {
+            names += draft.name + " ";
+        }
+        return names;
+    };
+    EXPECT_EQ(
+        draftsOf("Neon", {"Structure_0", "Bed_0", "Carpet_0", "Mirrors_0", "Chair_0", "Text_0"}),
+        "Neon_Structure_0 Neon_Bed_0 Neon_Carpet_0 Neon_Mirrors_0 Neon_Chair_0 Neon_Text_0 ");
+    EXPECT_EQ(draftsOf("Neon", {"Bed_0", "Carpet_0", "Text_0"}), "Neon Neon_Bed_0 Neon_Carpet_0 ");
 }
 
 TEST(AwkwardHouse, WhatStandsOnAFloorAboveTheWallsFeetIsNoPartOfIt) {

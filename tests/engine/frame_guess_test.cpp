@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -265,6 +266,57 @@ TEST(FrameGuess, DoubtsTheAxisOfAFileWhereGravityContradictsIt) {
         EXPECT_EQ(scene.report.up_axis, axis.text()) << warnings;
         EXPECT_NEAR(find(scene, "sofa")->box.center.z(), 0.4, 1e-4) << axis.text();
     }
+}
+
+// The beams below a ceiling rest on it if the hall is turned over; many equal ones are no more
+// evidence than one.
+TEST(FrameGuess, EqualThingsCountOnce) {
+    const TempFolder folder;
+    for (const bool equal : {true, false}) {
+        std::vector<NamedBox> hall = {
+            {"aa1", {0, 0, -0.1}, {16, 12, 0}},  {"aa2", {0, 0, 5}, {16, 12, 5.1}},
+            {"aa3", {-0.1, 0, 0}, {0, 12, 5}},   {"aa4", {16, 0, 0}, {16.1, 12, 5}},
+            {"aa5", {1, 10, 0}, {2, 11, 0.8}},   {"aa6", {4, 10, 0}, {4.5, 11, 0.5}},
+            {"aa7", {7, 10, 0}, {8, 10.5, 1.2}}, {"aa8", {12, 10, 0}, {12.4, 11, 1.5}}};
+        for (int i = 0; i < 24; ++i) {
+            const double x = 0.5 + 2.5 * (i % 6);
+            const double y = 0.5 + 2.3 * (i / 6);
+            const double length = equal ? 1.8 : 0.4 + 0.06 * i;
+            hall.push_back({"beam_" + std::to_string(i), {x, y, 4.2}, {x + 0.6, y + length, 5}});
+        }
+        const Scene scene = imported(folder.write("hall.gltf", asGltf(hall, 'y', 1.0, folder)));
+        const std::vector<UpEvidence> scores = scoreUpAxes(collectEvidence(scene, true));
+        const auto turned = std::ranges::find(scores, UpAxis('z', true), &UpEvidence::axis);
+        EXPECT_EQ(turned->support > 0.5, !equal) << turned->support;
+    }
+}
+
+TEST(FrameGuess, LightsMayHang) {
+    RawScene raw;
+    raw.nodes = {{"file", -1, 0}};
+    raw.materials.resize(2);
+    raw.materials[1].emission = {1.0F, 1.0F, 0.8F};
+    std::vector<ObjectDraft> drafts;
+    const auto add = [&](std::uint32_t material) {
+        MeshPart part;
+        part.material = material;
+        part.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 1}};
+        part.triangles = {{0, 1, 2}};
+        drafts.emplace_back().parts = {raw.parts.size()};
+        raw.parts.push_back(part);
+    };
+    const auto shining = [&] {
+        std::vector<bool> shines;
+        for (const MeasuredObject& object : collectEvidence(raw, drafts).objects) {
+            shines.push_back(object.shines);
+        }
+        return shines;
+    };
+    add(0);
+    add(1);
+    EXPECT_EQ(shining(), std::vector<bool>({false, true}));
+    add(1);
+    EXPECT_EQ(shining(), std::vector<bool>({false, false, false})) << "most things shine";
 }
 
 // Panels of walls look the same upside down, so the file is believed, and the report says that

@@ -52,7 +52,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"TableTop", "table"}, Case{"DeskTop", "desk"},
         Case{"lamp_shade", "lamp", LabelKind::Part}, Case{"bed_frame", "bed"},
         Case{"DarkWoodMat_1", "otherfurniture", LabelKind::Weak}, Case{"GlassTableMat", "table"},
-        Case{"ChromeMat", "otherprop", LabelKind::Weak},
+        Case{"orange_1_orangeMat_0", "void", LabelKind::None}, Case{"kitchen_mat", "floor mat"},
+        Case{"Pic03", "picture"}, Case{"ChromeMat", "otherprop", LabelKind::Weak},
         Case{"VelvetMat", "otherprop", LabelKind::Weak}, Case{"bath_mat", "floor mat"},
         Case{"Circle.012", "void", LabelKind::None}, Case{"", "void", LabelKind::None},
         Case{"0042", "void", LabelKind::None}));

@@ -73,22 +73,34 @@ std::string joined(const std::vector<std::string>& words, std::size_t first) {
     return text;
 }
 
+/// A material as another one inherits it: with the opacity that blending may show or not.
+struct WrittenMaterial {
+    ScriptMaterial as_written;
+    bool blends = false;
+
+    [[nodiscard]] ScriptMaterial shown() const {
+        ScriptMaterial material = as_written;
+        if (material.color && !blends) (*material.color)[3] = 1.0F;
+        return material;
+    }
+};
+
 /// Reads one material from its opening brace to its closing one. Only the first block of each kind
 /// is read.
 class MaterialBlock {
   public:
-    MaterialBlock(ScriptLines& lines, ScriptMaterial inherited)
-        : lines_(lines), material_(std::move(inherited)) {}
+    MaterialBlock(ScriptLines& lines, WrittenMaterial inherited)
+        : lines_(lines), material_(std::move(inherited.as_written)), blends_(inherited.blends) {}
 
-    ScriptMaterial read() {
+    WrittenMaterial read() {
         std::string kind = "material";  // of the next block
         while (true) {
             const std::vector<std::string> words = lines_.next();
-            if (words.empty()) return finished();
+            if (words.empty()) return {material_, blends_};
             if (words.front() == "{") {
                 open(kind);
             } else if (words.front() == "}") {
-                if (close()) return finished();
+                if (close()) return {material_, blends_};
             } else {
                 if (read_depth_ == depth_) set(words);
                 kind = words.front();
@@ -107,12 +119,6 @@ class MaterialBlock {
         if (kind != kBlocks[level] || seen_[level]) return;
         seen_[level] = true;
         read_depth_ = depth_;
-    }
-
-    /// Without blending, the opacity of colours has no effect.
-    ScriptMaterial finished() {
-        if (material_.color && !blends_) (*material_.color)[3] = 1.0F;
-        return material_;
     }
 
     /// Returns whether the material is complete.
@@ -142,7 +148,7 @@ class MaterialBlock {
 
     ScriptLines& lines_;
     ScriptMaterial material_;
-    bool blends_ = false;
+    bool blends_;
     std::size_t depth_ = 0;       // of open braces
     std::size_t read_depth_ = 0;  // of the innermost block that is read
     std::array<bool, kBlocks.size()> seen_{};
@@ -151,18 +157,21 @@ class MaterialBlock {
 }  // namespace
 
 std::map<std::string, ScriptMaterial> parseMaterialScript(std::string_view text) {
-    std::map<std::string, ScriptMaterial> materials;
+    std::map<std::string, WrittenMaterial> materials;
     ScriptLines lines(text);
     while (true) {
         const std::vector<std::string> words = lines.next();
-        if (words.empty()) return materials;
+        if (words.empty()) break;
         if (words.front() != "material" || words.size() < 2) continue;
         // "material NAME" or "material NAME : PARENT".
         const bool inherits = words.size() > 3 && words[2] == ":";
         const auto parent = inherits ? materials.find(words[3]) : materials.end();
-        ScriptMaterial inherited = parent == materials.end() ? ScriptMaterial() : parent->second;
+        WrittenMaterial inherited = parent == materials.end() ? WrittenMaterial() : parent->second;
         materials.try_emplace(words[1], MaterialBlock(lines, std::move(inherited)).read());
     }
+    std::map<std::string, ScriptMaterial> shown;
+    for (const auto& [name, material] : materials) shown.emplace(name, material.shown());
+    return shown;
 }
 
 const std::map<std::string, ScriptMaterial>& MaterialScripts::materialsOf(const fs::path& file) {

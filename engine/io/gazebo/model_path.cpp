@@ -76,7 +76,8 @@ std::optional<fs::path> ModelPath::find(const fs::path& folder, const std::strin
     for (const fs::path& root : files_.folders()) {
         if (auto found = files_.find(root, name)) return found;
     }
-    if (!package && !model) return std::nullopt;
+    if (!package && !model)
+        return fs::path(name).is_absolute() ? findByTail(folder, name) : std::nullopt;
     // The scene may be inside the model or package that it names: search the folders above it.
     const std::size_t slash = std::min(name.find('/'), name.size());
     const std::string within = name.substr(std::min(slash + 1, name.size()));
@@ -90,6 +91,24 @@ std::optional<fs::path> ModelPath::find(const fs::path& folder, const std::strin
         if (!called.empty() && called != owner) return std::nullopt;
         if (auto found = files_.find(around, within)) return found;
         if (xml) return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+std::optional<fs::path> ModelPath::findByTail(const fs::path& folder,
+                                              const fs::path& absolute) const {
+    const fs::path relative = absolute.relative_path();
+    const std::vector<fs::path> names(relative.begin(), relative.end());
+    std::vector<fs::path> roots = files_.folders();
+    roots.push_back(folder);
+    roots.push_back(folder.parent_path());
+    // The name of a file alone is not enough.
+    for (std::size_t first = 1; first + 1 < names.size(); ++first) {
+        fs::path tail;
+        for (std::size_t i = first; i < names.size(); ++i) tail /= names[i];
+        for (const fs::path& root : roots) {
+            if (auto found = files_.find(root, tail.string())) return found;
+        }
     }
     return std::nullopt;
 }

@@ -47,6 +47,10 @@ class ModelPath {
     /// `folder`.
     [[nodiscard]] std::vector<std::filesystem::path> rootsFor(
         const std::filesystem::path& folder) const;
+    /// Finds a file of another machine by the last names of its path, as many as possible, in the
+    /// given folders, in `folder` and in the one around it.
+    [[nodiscard]] std::optional<std::filesystem::path> findByTail(
+        const std::filesystem::path& folder, const std::filesystem::path& absolute) const;
     const std::string& nameOf(const std::filesystem::path& config) const;
 
     ReachableFiles files_;

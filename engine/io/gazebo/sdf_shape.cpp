@@ -76,8 +76,10 @@ Result<bool> readShape(const pugi::xml_node& geometry, const std::string& link, 
     } else {
         return false;
     }
+    // Other programs draw negative sizes as positive ones.
+    visual.size = visual.size.cwiseAbs();
     if (visual.size.minCoeff() > 0.0) return true;
-    return wrongAt("the size of a visual of '" + link + "' is not above 0; correct it", scope,
+    return wrongAt("the size of a visual of '" + link + "' is 0; correct it", scope,
                    geometry.parent());
 }
 

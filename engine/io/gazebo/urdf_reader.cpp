@@ -310,9 +310,10 @@ class UrdfReader {
             noteUnknownShape(geometry, unknown_shapes_);
             return std::optional<Visual>();
         }
+        // Other programs draw negative sizes as positive ones.
+        visual.size = visual.size.cwiseAbs();
         if (visual.shape != Visual::Shape::Mesh && !(visual.size.minCoeff() > 0.0)) {
-            return wrong("the size of a box, cylinder or sphere is not above 0; correct it",
-                         geometry);
+            return wrong("the size of a box, cylinder or sphere is 0; correct it", geometry);
         }
         return std::optional<Visual>(std::move(visual));
     }

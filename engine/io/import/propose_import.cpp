@@ -49,7 +49,8 @@ void doubtAxis(const FrameEvidence& evidence, const Scene& scene, ImportProposal
 }
 
 /// The unit to propose if only the room's size is known. A moderate difference proposes none,
-/// because halls and dioramas are not unusual. An enormous one proposes the nearest common unit.
+/// because halls and dioramas are not unusual. An enormous one proposes the nearest common unit, if
+/// one is near.
 std::optional<double> unitByRoomAlone(double unit_m, double likelier) {
     constexpr double kModerate = 2.5;
     constexpr double kEnormous = 100.0;
@@ -57,7 +58,8 @@ std::optional<double> unitByRoomAlone(double unit_m, double likelier) {
     if (ratio < kModerate) return std::nullopt;
     if (ratio < kEnormous) return likelier;
     const auto distance = [&](double unit) { return std::abs(std::log(unit / likelier)); };
-    return *std::ranges::min_element(kUsualUnits, std::less(), distance);
+    const double usual = *std::ranges::min_element(kUsualUnits, std::less(), distance);
+    return distance(usual) < std::log(kModerate) ? usual : likelier;
 }
 
 /// Whether the targets reach only into the lower part of the building, as in one with a high roof.

@@ -124,6 +124,13 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
                         "(--keep-meshes leaves them apart)",
                         joined));
     }
+    if (const std::size_t joined = regroup ? joinPiecesOfPaths(raw, labels, drafts) : 0;
+        joined > 0) {
+        report.notes.push_back(
+            fmt::format("{} pieces whose names have the same path were joined to objects "
+                        "(--keep-meshes leaves them apart)",
+                        joined));
+    }
     MaterialMeshes meshes = regroupMaterialMeshes(raw, labels, drafts, regroup);
     const std::size_t scattered = regroup ? splitScattered(raw, labels, drafts) : 0;
     if (scattered > 0) {
@@ -154,6 +161,47 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
     nameObjects(drafts);
     noteMerges(merges, drafts, report);
     regroupMaterialSplit(raw, regroup, drafts, report);
+}
+
+/// Whether few objects of a world stand in one that is as large as all of them: a room of one mesh.
+bool isRoomOfOneMesh(const RawScene& raw, const std::vector<ObjectDraft>& drafts) {
+    constexpr std::size_t kMostObjects = 6;
+    constexpr std::size_t kFewestTriangles = 500;
+    constexpr float kLeastShare = 0.6F;
+    constexpr float kLeastWidth_m = 2.5F;
+    constexpr float kLeastHeight_m = 1.8F;
+    Eigen::AlignedBox3f all;
+    for (const ObjectDraft& draft : drafts) all.extend(boundsOf(raw, draft));
+    if (drafts.empty() || drafts.size() > kMostObjects) return false;
+    return std::ranges::any_of(drafts, [&](const ObjectDraft& draft) {
+        const Eigen::Vector3f size = boundsOf(raw, draft).sizes();
+        std::size_t triangles = 0;
+        for (const std::size_t part : draft.parts) triangles += raw.parts[part].triangles.size();
+        return triangles >= kFewestTriangles && size.z() > kLeastHeight_m &&
+               size.head<2>().minCoeff() > kLeastWidth_m &&
+               (size.head<2>().array() > kLeastShare * all.sizes().head<2>().array()).all();
+    });
+}
+
+/// Finds the structure of a world whose objects have no classes, and the objects of its room if
+/// that is one of the world's objects.
+void findObjectsOfWorld(RawScene& raw, const LabelTable& labels, bool regroup,
+                        std::vector<ObjectDraft>& drafts, ImportReport& report) {
+    constexpr float kFlat_m = 0.05F;
+    std::vector<ObjectDraft> standing;
+    std::vector<ObjectDraft> grounds;
+    for (const ObjectDraft& draft : drafts) {
+        const bool flat = boundsOf(raw, draft).sizes().z() < kFlat_m;
+        (flat ? grounds : standing).push_back(draft);
+    }
+    if (!regroup || !isRoomOfOneMesh(raw, standing)) return findUnnamedStructure(raw, drafts);
+    for (ObjectDraft& draft : standing) {
+        if (draft.label.pattern.empty() && draft.label.nyu40 == 0) draft.label = {};
+    }
+    findObjects(raw, labels, regroup, standing, report);
+    drafts = std::move(standing);
+    drafts.insert(drafts.end(), std::make_move_iterator(grounds.begin()),
+                  std::make_move_iterator(grounds.end()));
 }
 
 /// Moves a scene that is more than a kilometre from the origin near it, because maps and
@@ -295,7 +343,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     if (!knows_objects) {
         findObjects(raw, *labels, options.regroup, drafts, scene.report);
     } else if (lacks_classes) {
-        findUnnamedStructure(raw, drafts);
+        findObjectsOfWorld(raw, *labels, options.regroup, drafts, scene.report);
     }
     drafts.insert(drafts.begin(), std::make_move_iterator(annotated.drafts.begin()),
                   std::make_move_iterator(annotated.drafts.end()));

@@ -147,6 +147,27 @@ class FurniturePieces {
     std::vector<std::vector<SurfaceView>> surfaces_;
 };
 
+/// Whether each of the pieces lies near others, and all of them make no more than a piece of
+/// furniture.
+bool lieTogether(const RawScene& raw, const std::vector<ObjectDraft>& drafts,
+                 const std::vector<std::size_t>& pieces) {
+    constexpr float kNear_m = 0.05F;
+    std::vector<Eigen::AlignedBox3f> boxes;
+    Eigen::AlignedBox3f whole;
+    for (const std::size_t i : pieces) whole.extend(boxes.emplace_back(boundsOf(raw, drafts[i])));
+    if (whole.diagonal().norm() > kLargestFurniture_m) return false;
+    DisjointSets<> groups(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+            if (boxes[i].exteriorDistance(boxes[j]) <= kNear_m) groups.join(i, j);
+        }
+    }
+    for (std::size_t i = 1; i < boxes.size(); ++i) {
+        if (groups.find(i) != groups.find(0)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 std::size_t joinNumberedPieces(const RawScene& raw, std::vector<ObjectDraft>& drafts) {
@@ -183,6 +204,46 @@ std::size_t joinNumberedPieces(const RawScene& raw, std::vector<ObjectDraft>& dr
         if (label.kind != LabelKind::Target && label.kind != LabelKind::Structure) {
             label.kind = LabelKind::Target;
         }
+    }
+    return dropJoined(joined, drafts);
+}
+
+std::size_t joinPiecesOfPaths(const RawScene& raw, const LabelTable& labels,
+                              std::vector<ObjectDraft>& drafts) {
+    constexpr std::size_t kFewestPieces = 3;  // of an object, for the names to count as paths
+    constexpr std::size_t kFewestPaths = 3;   // with so many pieces
+    struct Path {
+        Label label;
+        std::vector<std::size_t> pieces;
+    };
+    std::map<std::string, Path> paths;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        const std::string& name = drafts[i].name;
+        const std::size_t blank = name.rfind(' ');
+        if (blank == std::string::npos || blank == 0) continue;
+        if (labels.find(name.substr(blank + 1)).kind != LabelKind::None) continue;
+        const std::string path = name.substr(0, blank);
+        const Label label = labels.find(path.substr(path.rfind(' ') + 1));
+        if (label.kind != LabelKind::Target) continue;
+        paths[path].label = label;
+        paths[path].pieces.push_back(i);
+    }
+    std::erase_if(paths, [&](const auto& entry) {
+        const std::vector<std::size_t>& pieces = entry.second.pieces;
+        return pieces.size() < kFewestPieces || !lieTogether(raw, drafts, pieces);
+    });
+    if (paths.size() < kFewestPaths) return 0;
+    std::vector<bool> joined(drafts.size(), false);
+    for (auto& [name, path] : paths) {
+        ObjectDraft& whole = drafts[path.pieces.front()];
+        whole.name = name;
+        whole.label = path.label;
+        for (const std::size_t i : path.pieces) {
+            if (i == path.pieces.front()) continue;
+            whole.parts.insert(whole.parts.end(), drafts[i].parts.begin(), drafts[i].parts.end());
+            joined[i] = true;
+        }
+        std::ranges::sort(whole.parts);
     }
     return dropJoined(joined, drafts);
 }

@@ -16,4 +16,11 @@ namespace dollytrack {
 /// for other scenes.
 std::size_t joinNumberedPieces(const RawScene& raw, std::vector<ObjectDraft>& drafts);
 
+/// Joins the pieces of furniture in Cinema 4D's OBJ files, whose groups are named by their paths in
+/// the object tree, with blanks between the names: "office chair_Instanz_11 W_rfel_2". Pieces of
+/// one path that lie together are joined, if its last name is that of furniture. Returns the number
+/// of drafts that were joined to others; 0 for other scenes.
+std::size_t joinPiecesOfPaths(const RawScene& raw, const LabelTable& labels,
+                              std::vector<ObjectDraft>& drafts);
+
 }  // namespace dollytrack

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <set>
 
 namespace dollytrack {
 namespace {
@@ -21,6 +22,7 @@ class NodeOwners {
   public:
     NodeOwners(const RawScene& raw, const LabelTable& labels) : raw_(raw) {
         for (const SourceNode& node : raw.nodes) labels_.push_back(labels.find(node.name));
+        findRooms();
         owners_.resize(raw.nodes.size());
         for (std::size_t i = 0; i < raw.nodes.size(); ++i) {
             owners_[i] = static_cast<int>(i);
@@ -37,6 +39,19 @@ class NodeOwners {
     [[nodiscard]] const Label& label(int node) const { return labels_[node]; }
 
   private:
+    /// Finds the nodes that hold the furniture of a room: of at least four classes.
+    void findRooms() {
+        constexpr std::size_t kClasses = 4;
+        std::vector<std::set<int>> classes(raw_.nodes.size());
+        for (std::size_t i = 0; i < raw_.nodes.size(); ++i) {
+            if (raw_.nodes[i].parent <= 0 || labels_[i].kind != LabelKind::Target) continue;
+            classes[raw_.nodes[i].parent].insert(labels_[i].nyu40);
+        }
+        for (const std::set<int>& of_node : classes) {
+            holds_room_.push_back(of_node.size() >= kClasses);
+        }
+    }
+
     [[nodiscard]] bool belongsTo(std::size_t child, std::size_t parent) const {
         const Label& child_label = labels_[child];
         const Label& parent_label = labels_[parent];
@@ -47,6 +62,7 @@ class NodeOwners {
         // "Sofa" contains "Sofa_wood_0" and "Shelf" contains "Shelf_mesh.001" as parts, but
         // "Kitchen" contains "Kitchen_table" as an object of its own.
         const bool same_start = outer.size() >= 3 && inner.starts_with(outer);
+        if (same_start && holds_room_[parent]) return false;
         if (same_start && parent_label.kind != LabelKind::None) {
             return child_label.kind != LabelKind::Target || child_label.nyu40 == parent_label.nyu40;
         }
@@ -58,6 +74,7 @@ class NodeOwners {
 
     const RawScene& raw_;
     std::vector<Label> labels_;
+    std::vector<bool> holds_room_;
     std::vector<int> owners_;
 };
 

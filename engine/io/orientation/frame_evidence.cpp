@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace dollytrack {
 namespace {
@@ -26,6 +27,12 @@ struct Source {
     std::vector<Faces> meshes;
     std::size_t object_in_scene = 0;  // its index there
 };
+
+/// Whether a material shines all over.
+bool shines(const std::vector<Material>& materials, std::uint32_t index) {
+    return index < materials.size() && materials[index].emission.maxCoeff() > 0.0F &&
+           materials[index].emission_map < 0;
+}
 
 /// Calls `visit(a, b, c, share)` for a sample of the faces; each stands for `share` faces.
 template <class Visit>
@@ -138,8 +145,18 @@ void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
     }
 }
 
+/// Some exporters give all materials a glow, with the colour of a photograph; it means nothing
+/// then.
+void dropCommonShine(std::vector<Source>& sources) {
+    const auto shining =
+        std::ranges::count_if(sources, [](const Source& source) { return source.object.shines; });
+    if (2 * shining <= static_cast<std::ptrdiff_t>(sources.size())) return;
+    for (Source& source : sources) source.object.shines = false;
+}
+
 /// `scene` contains the object of each source.
-FrameEvidence collect(const std::vector<Source>& sources, const Scene& scene) {
+FrameEvidence collect(std::vector<Source> sources, const Scene& scene) {
+    dropCommonShine(sources);
     std::vector<MeasuredObject> measured(sources.size());
     parallelFor(sources.size(), [&](std::size_t i) { measured[i] = measureSource(sources[i]); });
     FrameEvidence evidence;
@@ -214,11 +231,14 @@ FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft
         source.object_in_scene = sources.size() - 1;
         source.object.nyu40 = draft.label.nyu40;
         source.object.building = draft.label.kind == LabelKind::Structure;
-        for (const std::size_t part : draft.parts) {
-            source.meshes.push_back({&raw.parts[part].positions, raw.parts[part].triangles});
+        source.object.shines = !draft.parts.empty();
+        for (const std::size_t index : draft.parts) {
+            const MeshPart& part = raw.parts[index];
+            source.meshes.push_back({&part.positions, part.triangles});
+            source.object.shines &= shines(raw.materials, part.material);
         }
     }
-    return collect(sources, sceneOfDrafts(raw, drafts));
+    return collect(std::move(sources), sceneOfDrafts(raw, drafts));
 }
 
 FrameEvidence collectEvidence(const Scene& scene, bool classes_by_shape) {
@@ -231,11 +251,18 @@ FrameEvidence collectEvidence(const Scene& scene, bool classes_by_shape) {
         source.object.nyu40 = object.nyu40;
         source.object.building = object.structure;
         source.object.by_shape = classes_by_shape && object.structure;
+        source.object.shines = true;
+        for (std::uint32_t t = 0; t < object.triangle_count; ++t) {
+            const std::uint32_t material = scene.triangle_material[object.first_triangle + t];
+            if (shines(scene.materials, material)) continue;
+            source.object.shines = false;
+            break;
+        }
         source.meshes.push_back(
             {&scene.positions,
              std::span(scene.triangles).subspan(object.first_triangle, object.triangle_count)});
     }
-    return collect(sources, scene);
+    return collect(std::move(sources), scene);
 }
 
 }  // namespace dollytrack

@@ -20,7 +20,8 @@ constexpr double kUsualRoomHigh_m = 3.4;
 constexpr double kHighRoom_m = 4.5;  // of offices, schools and shops
 constexpr double kFactor = 1.6;     // largest deviation of furniture and room sizes from usual ones
 constexpr double kRoomShare = 0.3;  // of the height; the sides of a thick floor are nearer together
-constexpr double kFloorShare = 0.3;  // smallest area of a storey, relative to the largest floor
+constexpr double kHandleShare = 0.15;  // of the height; smaller doors are only their handles
+constexpr double kFloorShare = 0.3;    // smallest area of a storey, relative to the largest floor
 
 /// 1 inside the range; outside it, the inverse square of the ratio to the nearer end.
 double believable(double length, double low, double high) {
@@ -97,8 +98,9 @@ UnitEvidence measureForUnit(const FrameEvidence& evidence, UpAxis up, double evi
             if (object.nyu40 != usual.nyu40) continue;
             if (object.building && usual.nyu40 != kNyuDoor) continue;
             const double size = object.box.sizes().maxCoeff() / evidence_m;
-            // A door higher than the building is all its doors in one mesh.
-            if (usual.nyu40 == kNyuDoor && size > result.height) continue;
+            // A door higher than the building is all its doors in one mesh, a tiny one is a handle.
+            const bool like_door = size > kHandleShare * result.height && size <= result.height;
+            if (usual.nyu40 == kNyuDoor && !like_door) continue;
             sizes.push_back(size);
         }
         if (sizes.empty()) continue;
@@ -162,6 +164,11 @@ bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m) {
     }
     if (evidence.kinds.size() >= 3 && storey_m >= kLowestRoom_m && storey_m <= kHighestRoom_m &&
         scoreUnit(evidence, unit_m).furniture >= kUsualSizes) {
+        return false;
+    }
+    // One kind alone may be a part of furniture or a model of it; a usual height tells more.
+    const double height_m = evidence.height * unit_m;
+    if (evidence.kinds.size() == 1 && height_m >= kUsualRoomLow_m && height_m <= kUsualRoomHigh_m) {
         return false;
     }
     constexpr std::size_t kEnoughKinds = 3;

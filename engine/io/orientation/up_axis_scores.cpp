@@ -3,8 +3,10 @@
 #include "engine/scene/labels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 
 namespace dollytrack {
 namespace {
@@ -30,7 +32,7 @@ struct Upright {
     const MeasuredObject* object = nullptr;
     int nyu40 = 0;              // 0 if the class was found only by shape
     bool building = false;      // by name
-    bool should_stand = false;  // neither part of the building nor a lamp, which may hang
+    bool should_stand = false;  // neither part of the building nor a lamp or light, which may hang
     double low = 0.0;
     double high = 0.0;
 };
@@ -42,8 +44,8 @@ std::vector<Upright> standUp(const std::vector<MeasuredObject>& objects, UpAxis 
         const double b = axis.sign() * object.box.max()[axis.index()];
         const int nyu40 = object.by_shape ? 0 : object.nyu40;
         const bool building = object.building && !object.by_shape;
-        all.push_back({&object, nyu40, building, !building && nyu40 != kLamp, std::min(a, b),
-                       std::max(a, b)});
+        const bool stands = !building && nyu40 != kLamp && !object.shines;
+        all.push_back({&object, nyu40, building, stands, std::min(a, b), std::max(a, b)});
     }
     return all;
 }
@@ -153,19 +155,34 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
            std::min(1.0, 4.0 * ballot.count() / static_cast<double>(by_low.size() + 1));
 }
 
-/// The share of standing objects that rest on others, minus half the share
-/// that would rest if the scene were upside down.
+/// The share of standing objects that rest on others, minus half the share that would rest if the
+/// scene were upside down. Objects of equal size count as one: the beams below a ceiling all rest
+/// on it if the scene is turned over.
 double judgeSupport(const std::vector<Upright>& all, UpAxis axis) {
-    double rests = 0.0;
+    constexpr double kEqual = 0.01;  // of an object's longest side
+    struct Kind {
+        double rests = 0.0;
+        int count = 0;
+    };
+    std::map<std::array<long, 4>, Kind> kinds;
     int count = 0;
     for (const Upright& one : all) {
         if (!one.should_stand) continue;
         const SideSupport& support = one.object->support;
-        rests += support[sideIndex(axis.index(), axis.negative)] >= kRestsShare;
-        rests -= 0.5 * (support[sideIndex(axis.index(), !axis.negative)] >= kRestsShare);
+        const Eigen::Vector3d size = one.object->box.sizes();
+        const double longest = std::max(size.maxCoeff(), 1e-12);
+        std::array<long, 4> key = {std::lround(std::log(longest) / kEqual)};
+        for (int i = 0; i < 3; ++i) key[i + 1] = std::lround(size[i] / longest / kEqual);
+        Kind& kind = kinds[key];
+        kind.rests += support[sideIndex(axis.index(), axis.negative)] >= kRestsShare;
+        kind.rests -= 0.5 * (support[sideIndex(axis.index(), !axis.negative)] >= kRestsShare);
+        ++kind.count;
         ++count;
     }
-    return count < kFewestObjects ? 0.0 : rests / count;
+    if (count < kFewestObjects) return 0.0;
+    double rests = 0.0;
+    for (const auto& [key, kind] : kinds) rests += kind.rests / kind.count;
+    return rests / static_cast<double>(kinds.size());
 }
 
 /// Share of round objects (cups, pots, lamps) whose axis of symmetry is this one, damped when there

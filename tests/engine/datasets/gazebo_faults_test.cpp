@@ -51,9 +51,9 @@ TEST(Gazebo, CirclesAndNonsenseAreRefused) {
          "relative to itself"},
         {"<model name='m'><link name='l'><pose>0 0 nan 0 0 0</pose></link></model>",
          "not six numbers"},
-        {"<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>-1</radius>"
+        {"<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>0</radius>"
          "</sphere></geometry></visual></link></model>",
-         "not above 0"}};
+         "size of a visual of 'l' is 0"}};
     const std::string ball = modelAt(9, "ball", kBall);
     EXPECT_EQ(imported(folder.write("room.world", world(ball))).objects.size(), 1U);
     for (const auto& [text, message] : kCases) {
@@ -68,10 +68,44 @@ TEST(Gazebo, CirclesAndNonsenseAreRefused) {
     EXPECT_NE(damaged.error().message.find("damaged or truncated"), std::string::npos);
 }
 
+// A path on the author's machine leads to the file whose path ends in the same way.
+TEST(Gazebo, AbsolutePathsOfOtherMachinesAreFoundByTheirEnds) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("repo/meshes/l.obj", test::lShapedModel()));
+    static_cast<void>(folder.write("elsewhere/parts/k.obj", test::lShapedModel()));
+    const auto worldOf = [&](const std::string& uri) {
+        return folder.write("repo/worlds/room.world",
+                            world(modelAt(0, "ball", kBall) + modelAt(5, "l", meshVisual(uri))));
+    };
+    ImportOptions options;
+    options.model_folders = {folder.path() / "repo", folder.path() / "elsewhere"};
+    for (const char* uri : {"file:///home/author/ws/repo/meshes/l.obj", "/home/author/meshes/l.obj",
+                            "file:///home/author/parts/k.obj"}) {
+        const auto scene = importScene(worldOf(uri), options);
+        ASSERT_TRUE(scene) << uri;
+        EXPECT_NE(find(*scene, "l"), nullptr) << uri;
+    }
+    const auto other = importScene(worldOf("file:///home/author/parts/other.obj"), options);
+    ASSERT_TRUE(other);
+    EXPECT_EQ(find(*other, "l"), nullptr);
+}
+
+TEST(Gazebo, NegativeSizesAreDrawnAsPositiveOnes) {
+    const TempFolder folder;
+    const Scene scene = imported(folder.write(
+        "room.world",
+        world(modelAt(0, "box",
+                      "<visual name='v'><geometry><box><size>-4 0.2 3</size></box></geometry>"
+                      "</visual>"))));
+    ASSERT_NE(find(scene, "box"), nullptr);
+    EXPECT_TRUE(find(scene, "box")->box.half_size.isApprox(Eigen::Vector3d(2, 0.1, 1.5), 1e-6));
+}
+
 // A valid mesh in a folder whose files the world may not use.
 TEST(Gazebo, MeshesOutsideAreLeftOut) {
     const TempFolder folder;
-    const auto outside = folder.write("outside/l.obj", test::lShapedModel());
+    const TempFolder other;  // too far from the world for its folder to be searched
+    const auto outside = other.write("outside/l.obj", test::lShapedModel());
     static_cast<void>(folder.write("room/meshes/l.obj", test::lShapedModel()));
     for (const std::string& uri : {std::string("../outside/l.obj"), outside.string(),
                                    fmt::format("file://{}", outside.string())}) {

@@ -39,6 +39,7 @@ material picture // the first technique counts
 material "two words" : picture
 { technique { pass { diffuse 0 0 1 0.5
  scene_blend alpha_blend } } }
+material pane : "two words" { technique { pass { texture_unit { texture blue.ppm } } } }
 material lost { technique { pass { texture_unit { texture lost.png } } } }
 )"));
     const auto painted = [](double x, const std::string& name, const std::string& uri) {
@@ -51,7 +52,8 @@ material lost { technique { pass { texture_unit { texture lost.png } } } }
     const Scene scene = imported(folder.write(
         "room.world",
         world(painted(0, "picture", scripts) + painted(2, "two words", scripts) +
-              painted(4, "lost", scripts + "/m.material") + painted(6, "nowhere", scripts))));
+              painted(8, "pane", scripts) + painted(4, "lost", scripts + "/m.material") +
+              painted(6, "nowhere", scripts))));
     EXPECT_EQ(scene.report.textures_found, 1);
     EXPECT_EQ(scene.report.textures_missing, std::vector<std::string>{"lost.png"});
     EXPECT_TRUE(says(scene.report.warnings, "1 material is in no script that was found"));
@@ -65,7 +67,8 @@ material lost { technique { pass { texture_unit { texture lost.png } } } }
     EXPECT_TRUE(materialOf("two words").base_color.isApprox(Eigen::Vector3f(0, 0, 1)));
     EXPECT_EQ(materialOf("picture").opacity, 1.0F);
     EXPECT_EQ(materialOf("two words").opacity, 0.5F);
-    for (const std::string name : {"picture", "two words"}) {
+    EXPECT_EQ(materialOf("pane").opacity, 0.5F);
+    for (const std::string name : {"picture", "two words", "pane"}) {
         ASSERT_GE(materialOf(name).texture, 0) << name;
         EXPECT_EQ(scene.textures[materialOf(name).texture].name, "blue.ppm");
     }
