@@ -2,6 +2,7 @@
 
 #include "engine/geometry/object_measure.h"
 #include "engine/geometry/piece_finder.h"
+#include "engine/scene/labels.h"
 
 #include <algorithm>
 #include <limits>
@@ -150,6 +151,20 @@ std::vector<double> sizesOf(const std::vector<Eigen::AlignedBox3f>& boxes,
     return sizes;
 }
 
+/// Whether an object is of the building itself. Doors and windows are not.
+bool isBuilding(const Object& object) {
+    return object.structure && (object.nyu40 == kNyuWall || object.nyu40 == kNyuFloor ||
+                                object.nyu40 == kNyuCeiling || object.nyu40 == kNyuOtherStructure);
+}
+
+/// Whether a box is as large as furniture and no panel, moulding or trim.
+bool isLikeFurniture(const OrientedBox& box) {
+    constexpr double kLargest_m = 3.5;  // diagonal
+    constexpr double kThinnest_m = 0.1;
+    return 2.0 * box.half_size.norm() <= kLargest_m &&
+           2.0 * box.half_size.minCoeff() >= kThinnest_m;
+}
+
 }  // namespace
 
 std::vector<TriangleList> findPieces(const Scene& scene, const Object& object) {
@@ -246,6 +261,7 @@ void mergeObjects(Scene& scene, const std::vector<int>& ids, const std::string& 
 
 void splitObject(Scene& scene, int id, const std::vector<TriangleList>& pieces,
                  const std::vector<std::string>& names) {
+    const bool may_hold_furniture = isBuilding(scene.object(id));
     Layout layout(scene);
     for (const Object& object : scene.objects) {
         if (object.id != id) {
@@ -262,6 +278,14 @@ void splitObject(Scene& scene, int id, const std::vector<TriangleList>& pieces,
         }
     }
     layout.finish();
+    if (!may_hold_furniture) return;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Object& piece = scene.objects[static_cast<std::size_t>(id) - 1 + i];
+        if (!isLikeFurniture(piece.box)) continue;
+        piece.structure = false;
+        piece.role = Role::Target;
+        piece.nyu40 = kNyuUnknown;
+    }
 }
 
 std::vector<std::string> pieceNames(const Scene& scene, const std::string& name,

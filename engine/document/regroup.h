@@ -34,7 +34,8 @@ std::size_t keptPieces(const std::vector<double>& sizes_m, const SplitLimits& li
 void mergeObjects(Scene& scene, const std::vector<int>& ids, const std::string& name, int nyu40);
 
 /// Replaces the object by pieces from findPieces(), with one name for each. The pieces inherit the
-/// object's class and role.
+/// object's class and role, except that pieces of walls, floors and other structure that have the
+/// size and the shape of furniture become targets of unknown class.
 void splitObject(Scene& scene, int id, const std::vector<TriangleList>& pieces,
                  const std::vector<std::string>& names);
 

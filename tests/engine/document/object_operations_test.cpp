@@ -1,6 +1,8 @@
 #include "engine/document/edits_json.h"
+#include "engine/document/regroup.h"
 #include "engine/scene/labels.h"
 #include "tests/engine/document/editing.h"
+#include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -104,6 +106,25 @@ TEST(Operation, MergeGivesOneObjectAtThePlaceOfTheFirst) {
     both.insert(both.end(), second.begin(), second.end());
     std::sort(both.begin(), both.end());
     EXPECT_EQ(cornersOf(scene, merged), both);
+}
+
+TEST(Operation, FurnitureInASplitWallBecomesATarget) {
+    test::SceneBuilder builder;
+    builder.object("shell", {kNyuWall, Role::Structure})
+        .box({2, 0, 1.3}, {4, 0.2, 2.6})
+        .box({2, 1, 0.15}, {1.5, 1.0, 0.3})
+        .box({1, 0.12, 0.05}, {2, 0.02, 0.1});
+    Scene scene = builder.build();
+    scene.objects[0].structure = true;
+    const auto pieces = findPieces(scene, scene.object(1));
+    ASSERT_EQ(pieces.size(), 3U);
+    splitObject(scene, 1, pieces, {"wall", "bench", "skirting"});
+    for (const Object& object : scene.objects) {
+        const bool bench = object.name == "bench";
+        EXPECT_EQ(object.structure, !bench) << object.name;
+        EXPECT_EQ(object.role, bench ? Role::Target : Role::Structure) << object.name;
+        EXPECT_EQ(object.nyu40, bench ? kNyuUnknown : kNyuWall) << object.name;
+    }
 }
 
 TEST(Operation, SplitAndMergeBackIsTheSameSurface) {
