@@ -140,6 +140,7 @@ void setColors(ThemeKind kind) {
 }  // namespace
 
 bool addLetters(std::string_view text) {
+    constexpr std::size_t kMostLetters = 4000;  // more would not fit into the fonts' picture
     std::set<ImWchar>& letters = state().letters;
     const std::size_t before = letters.size();
     const char* const end = text.data() + text.size();
@@ -151,7 +152,7 @@ bool addLetters(std::string_view text) {
         for (std::size_t i = 0; i + 1 < kRanges.size(); i += 2) {
             has = has || (letter >= kRanges[i] && letter <= kRanges[i + 1]);
         }
-        if (!has) letters.insert(static_cast<ImWchar>(letter));
+        if (!has && letters.size() < kMostLetters) letters.insert(static_cast<ImWchar>(letter));
     }
     return letters.size() > before;
 }
@@ -167,8 +168,11 @@ void loadFonts(double scale) {
     const std::string bold =
         findFont({"opentype/inter/Inter-SemiBold.otf", "truetype/dejavu/DejaVuSans-Bold.ttf"});
     const std::string mono = findFont({"truetype/dejavu/DejaVuSansMono.ttf"});
-    const std::string asian = findFont(
-        {"truetype/droid/DroidSansFallbackFull.ttf", "opentype/noto/NotoSansCJK-Regular.ttc"});
+    std::string asian;
+    if (!state().letters.empty()) {
+        asian = findFont(
+            {"truetype/droid/DroidSansFallbackFull.ttf", "opentype/noto/NotoSansCJK-Regular.ttc"});
+    }
     if (text.empty()) {
         log::warn("editor",
                   "no font found; install fonts-inter or fonts-dejavu-core for readable text");

@@ -58,7 +58,10 @@ std::string parameterEntries(const FieldList& fields) {
         text += fmt::format(
             ".TP\n\\fB{}\\fR={}{}\n{} ({})\n", field.name, manual::troffText(field.valueText()),
             unit.empty() ? "" : " " + manual::troffText(std::string(unit)),
-            manual::troffText(std::string(field.text())), manual::troffText(field.rangeText()));
+            manual::troffText(std::string(field.text())),
+            manual::troffText(
+                field.rangeText() +
+                (field.onlyWith().empty() ? "" : "; only with " + std::string(field.onlyWith()))));
     }
     return text;
 }

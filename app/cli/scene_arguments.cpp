@@ -50,15 +50,15 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
     return {};
 }
 
-/// Warns of parameters of the plan that were given but have no effect beside the others. An export
-/// warns of those of its images.
-void warnOfIdleArguments(const SceneArguments& arguments, planning::PlanParams params) {
+/// Warns of each given planning parameter that has no effect because of another parameter's value.
+/// Parameters of images are checked by the export.
+void warnOfArgumentsWithoutEffect(const SceneArguments& arguments, planning::PlanParams params) {
     const FieldList fields = planning::listFields(params);
     for (const std::string& assignment : arguments.assignments) {
         const std::string name = assignment.substr(0, assignment.find('='));
         const auto field = std::ranges::find(fields, name, &Field::name);
         if (field == fields.end() || isOfImages(*field)) continue;
-        const std::string message = idleMessage(fields, *field);
+        const std::string message = noEffectMessage(fields, *field);
         if (!message.empty()) log::warn("plan", message);
     }
 }
@@ -320,7 +320,7 @@ Result<OpenedScene> openedWith(OpenedScene opened, const SceneArguments& argumen
         opened.imported = std::make_shared<const Scene>(std::move(sorted));
     }
     opened.stored_result = nullptr;
-    warnOfIdleArguments(arguments, opened.params);
+    warnOfArgumentsWithoutEffect(arguments, opened.params);
     if (Status status = applyEditsAndArguments(opened, opened.edits, arguments); !status) {
         return tl::unexpected(std::move(status.error()));
     }
@@ -332,14 +332,16 @@ bool isOfImages(const Field& field) {
     return std::ranges::find(kSections, field.section) != kSections.end();
 }
 
-std::string idleMessage(const FieldList& fields, const Field& field) {
-    const std::string idle = withoutEffectBy(fields, field);
-    if (idle.empty()) return {};
+std::string noEffectMessage(const FieldList& fields, const Field& field) {
+    const std::string because = withoutEffectBy(fields, field);
+    if (because.empty()) return {};
     std::string needed(field.onlyWith());
+    const std::size_t above = needed.find('>');
+    if (above != std::string::npos) needed.replace(above, 1, " above ");
     for (std::size_t bar = needed.find('|'); bar != std::string::npos; bar = needed.find('|')) {
         needed.replace(bar, 1, " or ");
     }
-    return fmt::format("{} has no effect with {}; it needs {}", field.name, idle, needed);
+    return fmt::format("{} has no effect with {}; set {}", field.name, because, needed);
 }
 
 ProjectFile projectOf(const OpenedScene& opened) {
@@ -381,7 +383,7 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     if (Status status = applyArguments(arguments, read->params); !status) {
         return tl::unexpected(std::move(status.error()));
     }
-    warnOfIdleArguments(arguments, read->params);
+    warnOfArgumentsWithoutEffect(arguments, read->params);
     read->import = importSettings(arguments, stored_import);
     if (Status status = addCloudSettings(arguments, read->import); !status) {
         return tl::unexpected(std::move(status.error()));
@@ -402,6 +404,8 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     opened.stored_result = std::move(read->result);
     opened.edits_section = std::move(read->edits_section);
     opened.project_others = std::move(read->others);
+    // The editor's view: another unit or axis moves everything, other options renumber objects.
+    if (opened.import != stored_import) opened.project_others.erase("view");
     if (Status status = applyEditsAndArguments(opened, read->edits, arguments); !status) {
         return tl::unexpected(std::move(status.error()));
     }

@@ -427,6 +427,7 @@ void Editor::selectObject(int object, bool add) {
 }
 
 void Editor::goToFrame(int frame) {
+    stored_frame_.reset();
     playback_.goTo(frame);
     panels_.preview.shows_selection = false;
 }

@@ -1,6 +1,7 @@
 #include "app/editor/editor.h"
 #include "engine/core/log.h"
 #include "engine/document/edits_json.h"
+#include "engine/document/json_reader.h"
 #include "ui/panels/edits/edit_parts.h"
 #include "ui/widgets/cut_lines.h"
 #include "ui/widgets/item_map.h"
@@ -8,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace dollytrack::editor {
@@ -197,36 +197,42 @@ nlohmann::json Editor::viewToStore() const {
               {"azimuth", camera.azimuth},
               {"elevation", camera.elevation},
               {"distance", camera.distance},
-              {"orthographic", camera.orthographic}}},
-            {"frame", playback_.frame()},
+              {"orthographic", camera.orthographic ? 1 : 0}}},
+            {"frame", stored_frame_.value_or(playback_.frame())},
             {"hidden", numbersOf(selected_.hidden())}};
 }
 
 void Editor::restoreView() {
+    constexpr int kMostNumbers = 1'000'000;
+    constexpr double kFarthest_m = 1e4;
+    constexpr double kFull = 2.0 * std::numbers::pi;
     stored_frame_.reset();
     if (!workspace_.isOpen() || workspace_.storedView().is_null()) return;
-    try {
-        const nlohmann::json& view = workspace_.storedView();
-        ui::ViewerCamera camera = panels_.viewport.camera;
-        const nlohmann::json& stored = view.at("camera");
-        for (int k = 0; k < 3; ++k) camera.pivot[k] = stored.at("pivot").at(k);
-        camera.azimuth = stored.at("azimuth");
-        camera.elevation = stored.at("elevation");
-        camera.distance = stored.at("distance");
-        camera.orthographic = stored.at("orthographic");
-        const int frame = view.at("frame");
-        selected_.hideAtFirst(view.at("hidden").get<std::vector<int>>());
-        stored_frame_ = std::max(frame, 0);
-        constexpr double kFarthest_m = 1e4;
-        if (camera.pivot.norm() > kFarthest_m || camera.distance < 0.05 ||
-            camera.distance > kFarthest_m || std::abs(camera.elevation) > 0.5 * std::numbers::pi) {
-            return;
-        }
-        panels_.viewport.camera = camera;
-        static_cast<void>(scene_sync_.takeFirstView());
-    } catch (const nlohmann::json::exception&) {
-        log::warn("project", "the stored view of the editor is damaged and is not used");
+    Status read;
+    const JsonReader view(workspace_.storedView(), "view", read);
+    const JsonReader stored = view.at("camera");
+    ui::ViewerCamera camera = panels_.viewport.camera;
+    camera.pivot = stored.at("pivot").point();
+    camera.azimuth = stored.at("azimuth").number(-1e6, 1e6);
+    camera.elevation = stored.at("elevation").number(-kFull, kFull);
+    camera.distance = stored.at("distance").number(1e-3, kFarthest_m);
+    camera.orthographic = stored.at("orthographic").integer(0, 1) != 0;
+    const int frame = view.at("frame").integer(0, kMostNumbers);
+    std::vector<int> hidden;
+    const JsonReader ids = view.at("hidden");
+    for (std::size_t i = 0; i < ids.size() && read; ++i) {
+        hidden.push_back(ids.at(i).integer(1, kMostNumbers));
     }
+    if (read && camera.pivot.norm() > kFarthest_m) view.refuse("The camera is too far away.");
+    if (!read) {
+        log::warn("project",
+                  "the stored view is damaged and is not used: " + describe(read.error()));
+        return;
+    }
+    selected_.hideStored(hidden);
+    stored_frame_ = frame;
+    panels_.viewport.camera = camera;
+    static_cast<void>(scene_sync_.takeFirstView());
 }
 
 void Editor::addWindowTo(nlohmann::json& state) {

@@ -17,7 +17,6 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <sstream>
@@ -35,6 +34,10 @@ namespace fs = std::filesystem;
 constexpr std::chrono::minutes kLongest{30};
 // Its messages begin with this word, and a second one that says what they are.
 constexpr std::string_view kMessage = "dollytrack:";
+// Runs before the file is loaded, which may end Blender.
+constexpr const char* kSayVersion =
+    "import bpy, sys; print('dollytrack: version', *bpy.app.version[:2], file=sys.stderr, "
+    "flush=True)";
 // Blender continues with an empty scene if it cannot read the file. Files that the sandbox hides
 // are like files that are missing.
 constexpr const char* kScript = R"(
@@ -104,12 +107,12 @@ Result<BlenderRun> runBlender(const fs::path& blender, const fs::path& scene, co
                               const JobContext& job) {
     ProcessSetup setup;
     setup.expendable = true;
-    Result<ChildProcess> process =
-        ChildProcess::start({importerProgram().string(), kConfine, std::to_string(::getpid()),
-                             work.string(), scene.parent_path().string(), blender.string(),
-                             "--background", "--factory-startup", "--disable-autoexec", "-noaudio",
-                             "--python-exit-code", "8", scene.string(), "--python-expr", kScript},
-                            setup);
+    Result<ChildProcess> process = ChildProcess::start(
+        {importerProgram().string(), kConfine, std::to_string(::getpid()), work.string(),
+         scene.parent_path().string(), blender.string(), "--background", "--factory-startup",
+         "--disable-autoexec", "-noaudio", "--python-exit-code", "8", "--python-expr", kSayVersion,
+         scene.string(), "--python-expr", kScript},
+        setup);
     if (!process) return tl::unexpected(process.error());
     const auto begin = std::chrono::steady_clock::now();
     BlenderRun run;
@@ -157,17 +160,13 @@ int savedBy(const std::filesystem::path& scene) {
     return version;
 }
 
-/// The version of the Blender that ran, from its first message ("Blender 3.4.1"), times 100; 0 if
-/// it said none.
+/// The version of the Blender that ran, times 100; 0 if it did not start.
 int ranVersion(const BlenderRun& run) {
+    const std::vector<std::string> said = messagesOf(run, "version");
     int major = 0;
     int minor = 0;
-    const std::size_t at = run.messages.find("Blender ");
-    if (at == std::string::npos ||
-        std::sscanf(run.messages.c_str() + at, "Blender %d.%d", &major, &minor) != 2) {
-        return 0;
-    }
-    return 100 * major + minor;
+    if (!said.empty()) std::istringstream(said.front()) >> major >> minor;
+    return 100 * std::clamp(major, 0, 99) + std::clamp(minor, 0, 99);
 }
 
 /// The error for a run that made nothing.
@@ -191,16 +190,14 @@ tl::unexpected<Error> whyNot(const BlenderRun& run, const fs::path& blender,
     }
     const int saved = savedBy(scene);
     const int ran = ranVersion(run);
-    // A Blender that crashes may not have said its version.
-    const bool too_old = ran > 0 ? saved / 100 > ran / 100 : run.end.signal != 0 && saved >= 400;
-    if (too_old) {
-        const std::string version = fmt::format("{}.{}", saved / 100, saved % 100);
+    if (ran > 0 && saved / 100 > ran / 100) {
+        const auto text = [](int version) {
+            return fmt::format("Blender {}.{}", version / 100, version % 100);
+        };
         return fail(ErrorCode::BadInput,
-                    "the file was saved by Blender " + version + " and the installed " +
-                        (ran > 0 ? fmt::format("Blender {}.{}", ran / 100, ran % 100)
-                                 : std::string("one")) +
-                        " cannot convert it; install Blender " + version +
-                        " or newer (blender.org), or export glTF there",
+                    text(saved) + " saved the file and " + text(ran) +
+                        ", which is installed, cannot convert it; install " + text(saved) +
+                        " or newer (blender.org), or export glTF with it",
                     where);
     }
     if (run.end.signal != 0) {

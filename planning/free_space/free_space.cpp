@@ -238,19 +238,17 @@ std::string whyNoRoom(const Scene& scene, double camera_radius_m, double resolut
     const Eigen::Vector3d size = scene.room_bounds.sizes();
     const std::string extent =
         inMetres(size.x()) + " x " + inMetres(size.y()) + " x " + inMetres(size.z());
-    const std::string frame =
-        "give another unit (--unit) or up axis (--up) if the scene should not be " + extent;
+    const std::string frame = "check --unit and --up (the scene is " + extent + ")";
     if (scene.objects.size() == 1) {
-        return "the scene is a single object of " + extent +
-               " without space for a camera in it; a scene needs a room; " + frame;
-    }
-    if (std::ranges::none_of(scene.objects, &Object::structure)) {
-        return "no object is a floor, a wall or a ceiling, and there is no space for a camera "
-               "between the objects; a scene needs a room. If it has one, give its walls and floor "
-               "a class (--labels), or " +
+        return "the scene is a single object without space for a camera in it; split it, or " +
                frame;
     }
-    return "no room of the scene has space for a camera of radius " + inMetres(camera_radius_m) +
+    if (std::ranges::none_of(scene.objects, &Object::structure)) {
+        return "no object is a floor, wall or ceiling, and no space between the objects fits a "
+               "camera; name the walls with --labels, or " +
+               frame;
+    }
+    return "no room has space for a camera of radius " + inMetres(camera_radius_m) +
            " at cells of " + inMetres(resolution_m) +
            "; lower camera_radius_m and near_m, or octree_resolution_m, or " + frame;
 }

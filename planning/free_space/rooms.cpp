@@ -24,8 +24,9 @@ constexpr double kPocketVolume_m3 = 0.05;
 constexpr double kFurnitureVolume_m3 = 12.0;
 // Share of rays from a component that hit one object if the component is inside that object.
 constexpr double kOneObjectShare = 0.5;
-constexpr double kStructureShare = 0.15;  // of the rays that meet anything
-constexpr double kFewestMet = 0.125;  // smallest share of rays that counts as having met something
+constexpr double kStructureShare =
+    0.15;  // of the rays that hit anything, or more: see kLeastHitShare
+constexpr double kLeastHitShare = 0.125;  // smallest share of hits that kStructureShare is taken of
 constexpr std::size_t kMaxRooms = 250;
 // Smaller components are not tested for being inside furniture.
 constexpr double kHollowVolume_m3 = 0.02;
@@ -137,7 +138,7 @@ bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaste
         grid.centerOf(room.roomiest[0], room.roomiest[1], room.roomiest[2]);
     std::vector<int> hits(scene.objects.size() + 1, 0);
     int structure = 0;
-    int met = 0;
+    int hit_count = 0;
     for (int i = 0; i < ray_count; ++i) {
         // Directions of a Fibonacci sphere: uniform over all solid angles.
         const double z = 1.0 - (2.0 * i + 1.0) / ray_count;
@@ -145,7 +146,7 @@ bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaste
         const double r = std::sqrt(1.0 - z * z);
         const RayHit hit = rays.cast(from, {r * std::cos(turn), r * std::sin(turn), z});
         if (hit.object_id == 0) continue;
-        ++met;
+        ++hit_count;
         const Object& object = scene.object(hit.object_id);
         Eigen::AlignedBox3d box;
         for (const Eigen::Vector3d& corner : object.box.corners()) box.extend(corner);
@@ -157,8 +158,8 @@ bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaste
             ++hits[hit.object_id];
         }
     }
-    // In a room without some of its sides, most rays meet nothing. Furniture is closed.
-    const double counted = std::max<double>(met, kFewestMet * ray_count);
+    // In a room without some of its sides, most rays hit nothing. Furniture is closed.
+    const double counted = std::max<double>(hit_count, kLeastHitShare * ray_count);
     return *std::ranges::max_element(hits) >= kOneObjectShare * ray_count ||
            structure < kStructureShare * counted;
 }

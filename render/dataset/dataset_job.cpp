@@ -228,18 +228,23 @@ Status checkSettings(const DatasetSettings& settings) {
 
 namespace {
 
+/// What the chosen images and formats need, as bits of FrameNeeds; unknown names need nothing.
+unsigned needsOf(const DatasetSettings& settings) {
+    unsigned needs = 0;
+    if (const auto modalities =
+            chooseModalities(settings.modalities, {!settings.rig.empty(), true})) {
+        for (const Modality* one : *modalities) needs |= one->needs;
+    }
+    if (const auto formats = chooseFormats(settings.formats)) {
+        for (const Format* one : *formats) needs |= one->needs;
+    }
+    return needs;
+}
+
 /// The share of an export's progress that its preparation takes; the time left is estimated by it.
 /// Light takes about as much time as drawing 60 frames, everything else as drawing 5.
 double preparationShare(const DatasetSettings& settings, std::size_t frames) {
-    unsigned needs = 0;
-    const auto modalities = chooseModalities(settings.modalities, {!settings.rig.empty(), true});
-    const auto formats = chooseFormats(settings.formats);
-    // Unknown names are refused later.
-    if (modalities)
-        for (const Modality* one : *modalities) needs |= one->needs;
-    if (formats)
-        for (const Format* one : *formats) needs |= one->needs;
-    const double prepared = (needs & kNeedsLight) != 0 ? 60.0 : 5.0;
+    const double prepared = (needsOf(settings) & kNeedsLight) != 0 ? 60.0 : 5.0;
     return std::clamp(prepared / (prepared + static_cast<double>(frames)), 0.05, 0.8);
 }
 

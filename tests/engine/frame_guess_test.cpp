@@ -4,6 +4,7 @@
 #include "engine/io/settings/import_settings.h"
 #include "engine/math/up_axis.h"
 #include "tests/support/imported_scene.h"
+#include "tests/support/scene_builder.h"
 #include "tests/support/temp_folder.h"
 
 #include <fmt/format.h>
@@ -316,7 +317,32 @@ TEST(FrameGuess, LightsMayHang) {
     add(1);
     EXPECT_EQ(shining(), std::vector<bool>({false, true}));
     add(1);
-    EXPECT_EQ(shining(), std::vector<bool>({false, false, false})) << "most things shine";
+    EXPECT_EQ(shining(), std::vector<bool>({false, false, false})) << "most objects shine";
+}
+
+// What hangs below a ceiling is no evidence if it is a light.
+TEST(FrameGuess, LightsAreNoEvidenceOfTheAxis) {
+    const auto supportIfTurned = [](bool lights) {
+        test::SceneBuilder builder;
+        builder.room({0, 0, 0}, {6, 6, 3});
+        for (int i = 0; i < 12; ++i) {
+            builder.object("hanging" + std::to_string(i))
+                .box({0.5 + 0.45 * i, 3, 2.9 - 0.01 * i}, {0.3, 0.4, 0.2 + 0.02 * i});
+        }
+        for (int i = 0; i < 14; ++i) {
+            builder.object("standing" + std::to_string(i))
+                .box({0.5 + 0.4 * i, 1, 0.2 + 0.02 * i}, {0.3, 0.4, 0.4 + 0.04 * i});
+        }
+        Scene scene = builder.build();
+        for (const Object& object : scene.objects) {
+            if (!lights || !object.name.starts_with("hanging")) continue;
+            scene.materials[scene.triangle_material[object.first_triangle]].emission.setOnes();
+        }
+        const std::vector<UpEvidence> scores = scoreUpAxes(collectEvidence(scene, false));
+        return std::ranges::find(scores, UpAxis('z', true), &UpEvidence::axis)->support;
+    };
+    EXPECT_GT(supportIfTurned(false), 0.1);
+    EXPECT_LT(supportIfTurned(true), 0.0);
 }
 
 // Panels of walls look the same upside down, so the file is believed, and the report says that
@@ -503,6 +529,17 @@ TEST(FrameGuess, ReplacesAWrongUnitOfARoomWithLowWalls) {
     boxes.back().high.z() = 1.0;                                  // the bookshelf
     const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 100.0, folder)));
     EXPECT_DOUBLE_EQ(scene.report.unit_m, 0.01) << joined(scene.report.warnings);
+}
+
+TEST(FrameGuess, AHandleOfADoorIsNoDoor) {
+    const TempFolder folder;
+    std::vector<NamedBox> boxes = livingRoom(true);
+    boxes.resize(6);
+    boxes.push_back({"Entrance_Handle_Left", {1.0, 0.0, 1.0}, {1.18, 0.05, 1.05}});
+    const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 1.0, folder)));
+    EXPECT_DOUBLE_EQ(scene.report.unit_m, 1.0);
+    EXPECT_EQ(scene.report.proposal.unit_doubt, "");
+    EXPECT_FALSE(scene.report.proposal.unit_m);
 }
 
 // A hall over 6 m high is doubtful, but furniture of usual sizes leads to no other unit.

@@ -43,14 +43,14 @@ void warnOfSun(const LightParams& light) {
             set_strength ? "sun_strength" : "sun_azimuth_deg"));
 }
 
-void warnOfIdleParameters(planning::PlanParams params) {
+void warnOfParametersWithoutEffect(planning::PlanParams params) {
     planning::PlanParams defaults;
     const FieldList fields = planning::listFields(params);
     const FieldList standard = planning::listFields(defaults);
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const Field& field = fields[i];
         if (!isOfImages(field) || field.valueText() == standard[i].valueText()) continue;
-        const std::string message = idleMessage(fields, field);
+        const std::string message = noEffectMessage(fields, field);
         if (!message.empty()) log::warn("export", message);
     }
 }
@@ -82,7 +82,7 @@ bool repeats(const RigCamera& camera, const CameraParams& planned) {
 void warnOfExport(const planning::PlanParams& params, const render::DatasetSettings& settings) {
     warnOfLight(params.light, settings);
     warnOfSun(params.light);
-    warnOfIdleParameters(params);
+    warnOfParametersWithoutEffect(params);
     warnOfMissingSamples(params.sensor, settings);
     for (const RigCamera& camera : settings.rig) {
         if (!repeats(camera, params.camera)) continue;

@@ -164,10 +164,8 @@ void SelectionTracker::forget() {
     objects_now_.reset();
 }
 
-void SelectionTracker::hideAtFirst(const std::vector<int>& objects) {
-    constexpr int kMost = 1'000'000;
+void SelectionTracker::hideStored(const std::vector<int>& objects) {
     for (const int id : objects) {
-        if (id < 1 || id > kMost) continue;
         if (static_cast<std::size_t>(id) >= hidden_.size()) hidden_.resize(id + 1, false);
         hidden_[id] = true;
     }

@@ -54,8 +54,8 @@ class SelectionTracker {
     void follow(const std::shared_ptr<const ObjectTrace>& objects);
     /// Resets everything for another project, or none.
     void forget();
-    /// Hides these objects of the first scene of a project. Call it after forget().
-    void hideAtFirst(const std::vector<int>& objects);
+    /// Hides these objects (ids of at least 1), which a project stores. Call it after forget().
+    void hideStored(const std::vector<int>& objects);
 
     [[nodiscard]] const std::vector<bool>& hidden() const {
         return hidden_;

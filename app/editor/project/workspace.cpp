@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 /// The section of a project file with the editor's view.
 constexpr const char* kView = "view";
 
-/// The hidden objects of a view. Another camera or frame alone is no reason to write a file.
+/// The hidden objects of a view.
 nlohmann::json hiddenIn(const nlohmann::json& view) {
     const bool has = view.is_object() && view.contains("hidden");
     return has ? view["hidden"] : nlohmann::json::array();
@@ -235,9 +235,10 @@ void Workspace::save(const std::filesystem::path& path, OnConflict on_conflict) 
     if (!isOpen()) return;
     const bool planned = planIsCurrent() && shown_.plan;
     const bool asks = on_conflict == OnConflict::Ask;
-    const bool nothing_new = asks && !unsaved() && path == this->path() &&
-                             (file_has_plan_ || !planned) &&
-                             hiddenIn(opened_->others.value(kView, nlohmann::json())) == hiddenIn(view_in_file_);
+    // Another camera or frame alone is no reason to write a file.
+    const bool nothing_new =
+        asks && !unsaved() && path == this->path() && (file_has_plan_ || !planned) &&
+        hiddenIn(opened_->others.value(kView, nlohmann::json())) == hiddenIn(view_in_file_);
     SaveOrder order;
     order.outcome = {++save_serial_, document_, path, stack_.state(), planned};
     order.file = snapshot(false);

@@ -50,7 +50,7 @@ class Workspace {
     void close();
     /// Sets the editor's view, a section of the project that is stored with save().
     void setView(const nlohmann::json& view);
-    /// The view that the open project was read with; null: none.
+    /// The view in the project's file, as last read or saved; null: none.
     [[nodiscard]] const nlohmann::json& storedView() const { return view_in_file_; }
     /// What save() does if another program has changed the file since it was read or written here.
     enum class OnConflict { Ask, Overwrite };
@@ -173,7 +173,7 @@ class Workspace {
         bool has_plan = false;
         Status status = {};
         bool changed_elsewhere = false;  // so nothing was written
-        nlohmann::json view = {};        // the editor's view in the file
+        nlohmann::json view = {};        // the editor's view in the file, if it was written
         bool was_there = false;          // the file was up to date, so nothing was written
     };
 

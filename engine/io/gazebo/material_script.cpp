@@ -73,12 +73,13 @@ std::string joined(const std::vector<std::string>& words, std::size_t first) {
     return text;
 }
 
-/// A material as another one inherits it: with the opacity that blending may show or not.
+/// A material before blending is resolved: its opacity counts only if `blends`, which a material
+/// that inherits from it may still set.
 struct WrittenMaterial {
     ScriptMaterial as_written;
     bool blends = false;
 
-    [[nodiscard]] ScriptMaterial shown() const {
+    [[nodiscard]] ScriptMaterial resolved() const {
         ScriptMaterial material = as_written;
         if (material.color && !blends) (*material.color)[3] = 1.0F;
         return material;
@@ -169,9 +170,9 @@ std::map<std::string, ScriptMaterial> parseMaterialScript(std::string_view text)
         WrittenMaterial inherited = parent == materials.end() ? WrittenMaterial() : parent->second;
         materials.try_emplace(words[1], MaterialBlock(lines, std::move(inherited)).read());
     }
-    std::map<std::string, ScriptMaterial> shown;
-    for (const auto& [name, material] : materials) shown.emplace(name, material.shown());
-    return shown;
+    std::map<std::string, ScriptMaterial> resolved;
+    for (const auto& [name, material] : materials) resolved.emplace(name, material.resolved());
+    return resolved;
 }
 
 const std::map<std::string, ScriptMaterial>& MaterialScripts::materialsOf(const fs::path& file) {

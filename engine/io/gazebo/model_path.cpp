@@ -97,13 +97,17 @@ std::optional<fs::path> ModelPath::find(const fs::path& folder, const std::strin
 
 std::optional<fs::path> ModelPath::findByTail(const fs::path& folder,
                                               const fs::path& absolute) const {
+    constexpr std::size_t kLongest = 4096;
+    constexpr std::size_t kMostNames = 16;
+    if (absolute.native().size() > kLongest) return std::nullopt;
     const fs::path relative = absolute.relative_path();
     const std::vector<fs::path> names(relative.begin(), relative.end());
     std::vector<fs::path> roots = files_.folders();
     roots.push_back(folder);
     roots.push_back(folder.parent_path());
     // The name of a file alone is not enough.
-    for (std::size_t first = 1; first + 1 < names.size(); ++first) {
+    const std::size_t begin = names.size() - std::min(names.size(), kMostNames);
+    for (std::size_t first = begin; first + 1 < names.size(); ++first) {
         fs::path tail;
         for (std::size_t i = first; i < names.size(); ++i) tail /= names[i];
         for (const fs::path& root : roots) {

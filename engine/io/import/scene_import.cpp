@@ -163,45 +163,57 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
     regroupMaterialSplit(raw, regroup, drafts, report);
 }
 
-/// Whether few objects of a world stand in one that is as large as all of them: a room of one mesh.
-bool isRoomOfOneMesh(const RawScene& raw, const std::vector<ObjectDraft>& drafts) {
-    constexpr std::size_t kMostObjects = 6;
+/// The draft with the mesh of a whole room in a world of few objects: a detailed mesh that spans
+/// most of the world. Its index; nullopt if there is none. Flat grounds do not count.
+std::optional<std::size_t> roomOfOneMesh(const RawScene& raw,
+                                         const std::vector<ObjectDraft>& drafts) {
+    constexpr std::ptrdiff_t kMostObjects = 6;
     constexpr std::size_t kFewestTriangles = 500;
+    constexpr float kFlat_m = 0.05F;
     constexpr float kLeastShare = 0.6F;
     constexpr float kLeastWidth_m = 2.5F;
     constexpr float kLeastHeight_m = 1.8F;
+    std::vector<Eigen::Vector3f> sizes;
     Eigen::AlignedBox3f all;
-    for (const ObjectDraft& draft : drafts) all.extend(boundsOf(raw, draft));
-    if (drafts.empty() || drafts.size() > kMostObjects) return false;
-    return std::ranges::any_of(drafts, [&](const ObjectDraft& draft) {
-        const Eigen::Vector3f size = boundsOf(raw, draft).sizes();
+    for (const ObjectDraft& draft : drafts) {
+        const Eigen::AlignedBox3f box = boundsOf(raw, draft);
+        sizes.push_back(box.sizes());
+        if (sizes.back().z() >= kFlat_m) all.extend(box);
+    }
+    const auto standing = std::ranges::count_if(
+        sizes, [](const Eigen::Vector3f& size) { return size.z() >= kFlat_m; });
+    if (standing == 0 || standing > kMostObjects) return std::nullopt;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
         std::size_t triangles = 0;
-        for (const std::size_t part : draft.parts) triangles += raw.parts[part].triangles.size();
-        return triangles >= kFewestTriangles && size.z() > kLeastHeight_m &&
-               size.head<2>().minCoeff() > kLeastWidth_m &&
-               (size.head<2>().array() > kLeastShare * all.sizes().head<2>().array()).all();
-    });
+        for (const std::size_t part : drafts[i].parts)
+            triangles += raw.parts[part].triangles.size();
+        const Eigen::Vector3f& size = sizes[i];
+        if (triangles >= kFewestTriangles && size.z() > kLeastHeight_m &&
+            size.head<2>().minCoeff() > kLeastWidth_m &&
+            (size.head<2>().array() > kLeastShare * all.sizes().head<2>().array()).all()) {
+            return i;
+        }
+    }
+    return std::nullopt;
 }
 
-/// Finds the structure of a world whose objects have no classes, and the objects of its room if
-/// that is one of the world's objects.
+/// Finds the structure of a world whose objects have no classes. If one of them is the mesh of a
+/// whole room, its objects are found; the other objects of the world stay as they are.
 void findObjectsOfWorld(RawScene& raw, const LabelTable& labels, bool regroup,
                         std::vector<ObjectDraft>& drafts, ImportReport& report) {
-    constexpr float kFlat_m = 0.05F;
-    std::vector<ObjectDraft> standing;
-    std::vector<ObjectDraft> grounds;
-    for (const ObjectDraft& draft : drafts) {
-        const bool flat = boundsOf(raw, draft).sizes().z() < kFlat_m;
-        (flat ? grounds : standing).push_back(draft);
+    const std::optional<std::size_t> room =
+        regroup ? roomOfOneMesh(raw, drafts) : std::optional<std::size_t>();
+    if (!room) {
+        findUnnamedStructure(raw, drafts);
+        return;
     }
-    if (!regroup || !isRoomOfOneMesh(raw, standing)) return findUnnamedStructure(raw, drafts);
-    for (ObjectDraft& draft : standing) {
-        if (draft.label.pattern.empty() && draft.label.nyu40 == 0) draft.label = {};
+    std::vector<ObjectDraft> found = {std::move(drafts[*room])};
+    if (found.front().label.pattern.empty() && found.front().label.nyu40 == 0) {
+        found.front().label = {};
     }
-    findObjects(raw, labels, regroup, standing, report);
-    drafts = std::move(standing);
-    drafts.insert(drafts.end(), std::make_move_iterator(grounds.begin()),
-                  std::make_move_iterator(grounds.end()));
+    findObjects(raw, labels, regroup, found, report);
+    const auto at = drafts.erase(drafts.begin() + static_cast<std::ptrdiff_t>(*room));
+    drafts.insert(at, std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
 }
 
 /// Moves a scene that is more than a kilometre from the origin near it, because maps and

@@ -17,7 +17,7 @@ namespace dollytrack {
 namespace {
 
 constexpr float kLargestFurniture_m = 3.5F;  // diagonal
-// Largest difference of the numbers of two pieces that are joined directly.
+// Largest number of pieces of an object, and difference of the numbers of two that are joined.
 constexpr std::size_t kMostPieces = 200;
 
 /// The number at the end of "Pied_2_59" or of "225".
@@ -147,11 +147,12 @@ class FurniturePieces {
     std::vector<std::vector<SurfaceView>> surfaces_;
 };
 
-/// Whether each of the pieces lies near others, and all of them make no more than a piece of
+/// Whether the pieces form one connected group, with gaps of at most 5 cm, no larger than
 /// furniture.
 bool lieTogether(const RawScene& raw, const std::vector<ObjectDraft>& drafts,
                  const std::vector<std::size_t>& pieces) {
     constexpr float kNear_m = 0.05F;
+    if (pieces.size() > kMostPieces) return false;
     std::vector<Eigen::AlignedBox3f> boxes;
     Eigen::AlignedBox3f whole;
     for (const std::size_t i : pieces) whole.extend(boxes.emplace_back(boundsOf(raw, drafts[i])));
@@ -211,7 +212,7 @@ std::size_t joinNumberedPieces(const RawScene& raw, std::vector<ObjectDraft>& dr
 std::size_t joinPiecesOfPaths(const RawScene& raw, const LabelTable& labels,
                               std::vector<ObjectDraft>& drafts) {
     constexpr std::size_t kFewestPieces = 3;  // of an object, for the names to count as paths
-    constexpr std::size_t kFewestPaths = 3;   // with so many pieces
+    constexpr std::size_t kFewestPaths = 3;   // smallest number of such objects in the file
     struct Path {
         Label label;
         std::vector<std::size_t> pieces;

@@ -39,7 +39,8 @@ class NodeOwners {
     [[nodiscard]] const Label& label(int node) const { return labels_[node]; }
 
   private:
-    /// Finds the nodes that hold the furniture of a room: of at least four classes.
+    /// Marks nodes whose children have at least four classes of furniture: such a node is a room,
+    /// not an object.
     void findRooms() {
         constexpr std::size_t kClasses = 4;
         std::vector<std::set<int>> classes(raw_.nodes.size());

@@ -28,7 +28,7 @@ struct Source {
     std::size_t object_in_scene = 0;  // its index there
 };
 
-/// Whether a material shines all over.
+/// Whether a material emits light uniformly, without an emission map.
 bool shines(const std::vector<Material>& materials, std::uint32_t index) {
     return index < materials.size() && materials[index].emission.maxCoeff() > 0.0F &&
            materials[index].emission_map < 0;
@@ -145,8 +145,8 @@ void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
     }
 }
 
-/// Some exporters give all materials a glow, with the colour of a photograph; it means nothing
-/// then.
+/// Some exporters set an emission colour on every material. If most objects emit light, emission is
+/// ignored.
 void dropCommonShine(std::vector<Source>& sources) {
     const auto shining =
         std::ranges::count_if(sources, [](const Source& source) { return source.object.shines; });
@@ -251,7 +251,7 @@ FrameEvidence collectEvidence(const Scene& scene, bool classes_by_shape) {
         source.object.nyu40 = object.nyu40;
         source.object.building = object.structure;
         source.object.by_shape = classes_by_shape && object.structure;
-        source.object.shines = true;
+        source.object.shines = object.triangle_count > 0;
         for (std::uint32_t t = 0; t < object.triangle_count; ++t) {
             const std::uint32_t material = scene.triangle_material[object.first_triangle + t];
             if (shines(scene.materials, material)) continue;

@@ -20,7 +20,7 @@ struct MeasuredObject {
     double area = 0.0;
     int nyu40 = 0;
     bool building = false;  // part of the building, by name or shape
-    bool shines = false;    // as lamps do; unset where most objects have emitting materials
+    bool shines = false;    // all its materials emit light; false for all if most objects do
     bool by_shape = false;  // `building` may be due to the shape, which assumes an up axis
     SideSupport support{};
 };

@@ -166,7 +166,8 @@ bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m) {
         scoreUnit(evidence, unit_m).furniture >= kUsualSizes) {
         return false;
     }
-    // One kind alone may be a part of furniture or a model of it; a usual height tells more.
+    // A single class of furniture is weak evidence: it may be a part or a toy. A room of usual
+    // height outweighs it.
     const double height_m = evidence.height * unit_m;
     if (evidence.kinds.size() == 1 && height_m >= kUsualRoomLow_m && height_m <= kUsualRoomHigh_m) {
         return false;

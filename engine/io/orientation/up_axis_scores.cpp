@@ -156,10 +156,11 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
 }
 
 /// The share of standing objects that rest on others, minus half the share that would rest if the
-/// scene were upside down. Objects of equal size count as one: the beams below a ceiling all rest
-/// on it if the scene is turned over.
+/// scene were upside down. Objects of nearly equal size count as one, so that many equal beams
+/// below a ceiling, which rest on it if the scene is turned over, do not outvote the furniture.
 double judgeSupport(const std::vector<Upright>& all, UpAxis axis) {
     constexpr double kEqual = 0.01;  // of an object's longest side
+    constexpr std::size_t kFewestKinds = 3;
     struct Kind {
         double rests = 0.0;
         int count = 0;
@@ -182,7 +183,7 @@ double judgeSupport(const std::vector<Upright>& all, UpAxis axis) {
     if (count < kFewestObjects) return 0.0;
     double rests = 0.0;
     for (const auto& [key, kind] : kinds) rests += kind.rests / kind.count;
-    return rests / static_cast<double>(kinds.size());
+    return rests / static_cast<double>(std::max(kinds.size(), kFewestKinds));
 }
 
 /// Share of round objects (cups, pots, lamps) whose axis of symmetry is this one, damped when there

@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <system_error>
+
 namespace dollytrack {
 namespace {
 
@@ -26,10 +29,49 @@ nlohmann::json objectAt(const JsonReader& from, const char* key) {
     return member.json();
 }
 
+/// The folder of a file, without links and "..", which lexically_relative() would take for names.
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(folder, error);
+    return error ? folder.lexically_normal() : real;
+}
+
+bool climbs(const std::filesystem::path& path) {
+    return std::ranges::find(path, "..") != path.end();
+}
+
+/// The path of a scene as its project stores it: as it was given if it lies below the project's
+/// folder, so that a folder with links can be moved; else from folder to folder without links.
+std::filesystem::path storedPath(const std::filesystem::path& scene,
+                                 const std::filesystem::path& project) {
+    const std::filesystem::path file = std::filesystem::absolute(scene);
+    const std::filesystem::path folder = std::filesystem::absolute(project).parent_path();
+    if (!climbs(file) && !climbs(folder)) {
+        const std::filesystem::path below = file.lexically_relative(folder);
+        if (!below.empty() && !climbs(below)) return below;
+    }
+    const std::filesystem::path real = folderOf(scene) / scene.filename();
+    const std::filesystem::path relative = real.lexically_relative(folderOf(project));
+    return relative.empty() ? real : relative;
+}
+
+/// The scene of a project by its stored path. Projects written by version 0.1.0 may count from the
+/// folder as it was given, with links.
+std::filesystem::path sceneAt(const std::filesystem::path& stored,
+                              const std::filesystem::path& project) {
+    const std::filesystem::path scene = (folderOf(project) / stored).lexically_normal();
+    std::error_code error;
+    if (std::filesystem::exists(scene, error)) return scene;
+    const std::filesystem::path folder = std::filesystem::absolute(project).parent_path();
+    const std::filesystem::path other = (folder / stored).lexically_normal();
+    return std::filesystem::exists(other, error) ? other : scene;
+}
+
 /// Reads all fields; the result's structure is checked by checkStoredPlan().
-void readFields(const JsonReader& from, const std::filesystem::path& folder, ProjectFile& project) {
+void readFields(const JsonReader& from, const std::filesystem::path& path, ProjectFile& project) {
     const JsonReader scene = from.at("scene");
-    project.scene = (folder / scene.at("path").text()).lexically_normal();
+    project.scene = sceneAt(scene.at("path").text(), path);
     if (const JsonReader sum = scene.at("sha256"); !sum.absent()) {
         project.scene_sha256 = sum.text();
     }
@@ -74,7 +116,7 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path) {
                                       "versions up to {}; use a newer version of Dollytrack.",
                                       version, ProjectFile::kVersion));
     }
-    readFields(from, std::filesystem::absolute(path).parent_path(), project);
+    readFields(from, path, project);
     if (status) status = checkStoredPlan(project.result, "result");
     if (!status) return badProject(path, status.error().message, status.error().where);
     for (const char* known : {"dollytrack_project", "scene", "parameters", "edits", "result"}) {
@@ -85,29 +127,14 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path) {
     return project;
 }
 
-namespace {
-
-/// The folder of a file, without links and "..", which lexically_relative() would take for names.
-std::filesystem::path folderOf(const std::filesystem::path& file) {
-    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-    std::error_code error;
-    const std::filesystem::path real = std::filesystem::weakly_canonical(folder, error);
-    return error ? folder.lexically_normal() : real;
-}
-
-}  // namespace
-
 Result<std::string> projectText(const ProjectFile& project, const std::filesystem::path& path) {
     if (Status readable = checkWrittenPlan(project.result); !readable) {
         return tl::unexpected(readable.error());
     }
     nlohmann::json json = project.others.is_object() ? project.others : nlohmann::json::object();
-    const std::filesystem::path folder = folderOf(path);
-    const std::filesystem::path scene = folderOf(project.scene) / project.scene.filename();
-    const std::filesystem::path relative = scene.lexically_relative(folder);
     // Older programs can read files without edits, so write the older version for these.
     json["dollytrack_project"] = project.edits.empty() ? 1 : ProjectFile::kVersion;
-    json["scene"] = {{"path", (relative.empty() ? scene : relative).generic_string()},
+    json["scene"] = {{"path", storedPath(project.scene, path).generic_string()},
                      {"sha256", project.scene_sha256}};
     if (!project.import.empty()) json["scene"]["import"] = project.import;
     json["parameters"] = project.parameters;

@@ -301,14 +301,19 @@ class CommandLine(FolderCase):
         for folder in (there, beside):
             folder.mkdir()
         shutil.copy(self.room, there / "room.obj")
-        (self.folder / "link").symlink_to(beside, target_is_directory=True)
-        for output in ("../beside/one.dolly", "../link/two.dolly", "three.dolly"):
+        (self.folder / "far").mkdir()
+        (self.folder / "far/link").symlink_to(beside, target_is_directory=True)
+        (there / "data").symlink_to(there, target_is_directory=True)
+        for output in ("../beside/one.dolly", "../far/link/two.dolly", "three.dolly"):
             planned = run("plan", "room.obj", "-o", output, "--max-frames", "20", cwd=there)
             self.assertEqual(planned.returncode, 0, planned.stderr)
             project = there / output
             stored = json.loads(project.read_text())["scene"]["path"]
             self.assertFalse(pathlib.Path(stored).is_absolute(), stored)
             self.assertEqual(run("info", project).returncode, 0, stored)
+        run("plan", "data/room.obj", "-o", "four.dolly", "--max-frames", "20", cwd=there)
+        self.assertEqual(json.loads((there / "four.dolly").read_text())["scene"]["path"],
+                         "data/room.obj", "a folder with links can be moved")
 
     def test_broken_projects_are_bad_input(self):
         def project(text):

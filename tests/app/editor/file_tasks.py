@@ -65,11 +65,22 @@ class Files(Task):
         self.assertEqual(self.editor.wait_end(), 0)
         self.editor.tidy()
         content = json.loads(self.project.read_text())
-        content["view"] = {"camera": {"pivot": "here"}, "frame": 3, "hidden": [SOFA]}
+        view = {"camera": {"pivot": [0, 0, 0], "azimuth": 1, "elevation": 0.5, "distance": 5,
+                           "orthographic": 0}, "frame": 3, "hidden": [SOFA]}
+        for damage in ({"frame": 1e300}, {"hidden": [-1]}, {"hidden": {}}, {"camera": [1]}):
+            with self.subTest(damage):
+                content["view"] = {**view, **damage}
+                self.project.write_text(json.dumps(content))
+                state = self.start(self.project)
+                self.assertEqual(state["frame"], 0)
+                self.assertEqual(state["hidden"], 0)
+                self.editor.tap("ctrl+q")
+                self.assertEqual(self.editor.wait_end(), 0)
+                self.editor.tidy()
+        content["view"] = view
         self.project.write_text(json.dumps(content))
         state = self.start(self.project)
-        self.assertEqual(state["frame"], 0)
-        self.assertEqual(state["hidden"], 0)
+        self.assertEqual((state["frame"], state["hidden_ids"]), (3, [SOFA]))
 
     def test_a_project_saved_on_the_way_out_is_among_the_recent_ones(self):
         self.changed_room()

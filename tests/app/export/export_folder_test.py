@@ -366,8 +366,8 @@ class ExportFolder(FolderCase):
             (["traced_samples=2", "render_mode=reference", "reference_samples=2"],
              "traced_samples", []),
             (["traced_samples=2", "render_mode=traced"], None, []),
-            (["light_seed=2"], "light_seed has no effect with light_variation=0; it needs "
-                               "light_variation>0", []),
+            (["light_seed=2"], "light_seed has no effect with light_variation=0; set "
+                               "light_variation above 0", []),
             (["focus_m=2"], "focus_m", []),
             (["looks=1", "readout_s=0"], "looks", sensor),
             (["looks=1", "readout_s=0"], None, ["--modalities", "rgb,depth_sensor"]),

@@ -104,8 +104,9 @@ TEST(Gazebo, NegativeSizesAreDrawnAsPositiveOnes) {
 // A valid mesh in a folder whose files the world may not use.
 TEST(Gazebo, MeshesOutsideAreLeftOut) {
     const TempFolder folder;
-    const TempFolder other;  // too far from the world for its folder to be searched
-    const auto outside = other.write("outside/l.obj", test::lShapedModel());
+    const TempFolder other;
+    static_cast<void>(folder.write("outside/l.obj", test::lShapedModel()));
+    const auto outside = other.write("elsewhere/l.obj", test::lShapedModel());
     static_cast<void>(folder.write("room/meshes/l.obj", test::lShapedModel()));
     for (const std::string& uri : {std::string("../outside/l.obj"), outside.string(),
                                    fmt::format("file://{}", outside.string())}) {

@@ -22,7 +22,7 @@ TEST(Urdf, LinksStandWhereJointsPutThem) {
     static_cast<void>(folder.write("pkg/meshes/l.obj", test::lShapedModel()));
     const Scene scene = imported(folder.write("pkg/urdf/room.urdf", R"(<robot name="room">
  <material name="blue"><color rgba="0 0 1 1"/></material>
- <link name="base"><visual><geometry><box size="2 2 0.2"/></geometry><material name="blue"/></visual></link>
+ <link name="base"><visual><geometry><box size="-2 2 0.2"/></geometry><material name="blue"/></visual></link>
  <joint name="a" type="fixed"><origin xyz="0 0 1" rpy="0 0 1.5707963267948966"/><parent link="base"/><child link="arm"/></joint>
  <link name="arm"><visual><origin xyz="1 0 0"/><geometry><cylinder radius="0.5" length="1"/></geometry></visual></link>
  <joint name="b" type="fixed"><origin xyz="2 0 0"/><parent link="arm"/><child link="sofa"/></joint>

@@ -103,6 +103,26 @@ TEST_F(DatasetJobGl, GivesTheSameBytesWhateverTheThreads) {
     EXPECT_TRUE(tree(folder_ / "a") == tree(folder_ / "b"));
 }
 
+// Without colour images no light is computed; everything else is the same.
+TEST_F(DatasetJobGl, OtherImagesDoNotDependOnLight) {
+    DatasetSettings settings;
+    settings.formats = {"coco"};
+    settings.folder = folder_ / "lit";
+    settings.modalities = {"rgb", "depth", "instance", "normal_camera", "albedo"};
+    ASSERT_TRUE(exportWith(settings, circle(3)));
+    settings.folder = folder_ / "unlit";
+    settings.modalities.erase(settings.modalities.begin());
+    ASSERT_TRUE(exportWith(settings, circle(3)));
+    const auto lit = tree(folder_ / "lit");
+    int compared = 0;
+    for (const auto& [name, bytes] : tree(folder_ / "unlit")) {
+        if (!name.ends_with(".png")) continue;
+        EXPECT_TRUE(lit.at(name) == bytes) << name;
+        ++compared;
+    }
+    EXPECT_EQ(compared, 4 * 3);
+}
+
 TEST_F(DatasetJobGl, ReplacesItsOwnLongerDatasetCompletely) {
     ASSERT_TRUE(exportTo(folder_ / "a", circle(5)));
     const auto before = tree(folder_ / "a");

@@ -107,11 +107,14 @@ void copyValue(const Field& from, const Field& to) {
         from.value);
 }
 
-void explainField(const Field& field, const Field& standard, const std::string& idle_by = {}) {
+void explainField(const Field& field, const Field& standard,
+                  const std::string& no_effect_with = {}) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(scaled(340));
-    if (!idle_by.empty()) {
-        ImGui::TextColored(palette().warning, "No effect with %s", idle_by.c_str());
+    if (!no_effect_with.empty()) {
+        ImGui::TextColored(palette().warning, "No effect with %s", no_effect_with.c_str());
+    } else if (const std::string condition(field.onlyWith()); !condition.empty()) {
+        ImGui::TextDisabled("Only with %s", condition.c_str());
     }
     ImGui::TextUnformatted(std::string(field.text()).c_str());
     std::string range = field.rangeText();
@@ -149,13 +152,13 @@ FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::s
 }
 
 FieldEdit drawField(const Field& field, const Field& standard, const std::string& path,
-                    const std::string& idle_by) {
+                    const std::string& no_effect_with) {
     FieldEdit result;
     ImGui::PushID(field.name.c_str());
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const float alpha = ImGui::GetStyle().Alpha;
-    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, idle_by.empty() ? alpha : 0.45F * alpha);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, no_effect_with.empty() ? alpha : 0.45F * alpha);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(readableName(field).c_str());
     bool hovered = ImGui::IsItemHovered();
@@ -168,10 +171,13 @@ FieldEdit drawField(const Field& field, const Field& standard, const std::string
     const bool differs = field.valueText() != standard.valueText();
     const float reset_width = ImGui::GetFrameHeight();
     ImGui::SetNextItemWidth(-(reset_width + ImGui::GetStyle().ItemInnerSpacing.x));
+    // The list of a choice would be dimmed, too.
+    const bool is_choice = std::holds_alternative<Field::Choice>(field.value);
+    if (is_choice) ImGui::PopStyleVar();
     result = drawWidget(field, path);
     hovered = hovered || (!result.says && ImGui::IsItemHovered());
-    ImGui::PopStyleVar();
-    if (hovered) explainField(field, standard, idle_by);
+    if (!is_choice) ImGui::PopStyleVar();
+    if (hovered) explainField(field, standard, no_effect_with);
     if (differs) {
         ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
         if (ImGui::Button("\u21ba", {reset_width, 0})) {

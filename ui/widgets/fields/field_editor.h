@@ -10,10 +10,10 @@ namespace dollytrack::ui {
 /// Draws a row of a two-column table: name with its symbol in the method's paper, widget with unit,
 /// and a reset button if the value differs from `standard` (the same field of a default-constructed
 /// struct). The tooltip shows description, range and default. `path` is the widget's name in the
-/// item map: "parameters.fill". `idle_by` is what withoutEffectBy() says of the field: if it is not
-/// empty, the row is dimmed and the tooltip says why; the value can be edited all the same.
+/// item map: "parameters.fill". `no_effect_with` is what withoutEffectBy() says of the field: if it
+/// is not empty, the row is dimmed and the tooltip says why; the value can be edited all the same.
 FieldEdit drawField(const Field& field, const Field& standard, const std::string& path,
-                    const std::string& idle_by = {});
+                    const std::string& no_effect_with = {});
 
 /// Draws only the widget, with the width set by SetNextItemWidth().
 FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::string& path);
