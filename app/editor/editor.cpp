@@ -100,6 +100,7 @@ void Editor::refreshScene() {
         keepPicture();
         has_picture_ = false;
         selected_.forget();
+        panels_.objects = {};
         clip_ = {};
         playback_.reset();
         track_time_.reset();
@@ -166,9 +167,8 @@ void Editor::noteOpening() {
     const std::string scene = workspace_.sceneFile().string();
     import_bar_dismissed_ = settings_.hasSeen(kImportKept + scene);
     const std::size_t missing = workspace_.importReport().textures_missing.size();
-    const std::string note = fmt::format("{} textures missing: {}", missing, scene);
-    textures_note_ = missing > 0 && !settings_.hasSeen(note);
-    if (textures_note_) settings_.addSeen(note);
+    missing_textures_note_ = fmt::format("{} textures missing: {}", missing, scene);
+    textures_note_ = missing > 0 && !settings_.hasSeen(missing_textures_note_);
 }
 
 void Editor::play() {

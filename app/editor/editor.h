@@ -388,8 +388,9 @@ class Editor {
     /// are an entry in EditorSettings::seen.
     static constexpr const char* kImportKept = "import kept: ";
     bool import_bar_dismissed_ = false;
-    bool textures_note_ = false;        // the bar about missing textures is shown
-    std::filesystem::path noted_file_;  // the latest entry added to the recent files
+    bool textures_note_ = false;         // the bar about missing textures is shown
+    std::string missing_textures_note_;  // remembered once it is hidden
+    std::filesystem::path noted_file_;   // the latest entry added to the recent files
     Workspace workspace_;
     Autosave autosave_;
     ui::RenderThread drawing_;

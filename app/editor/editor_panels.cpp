@@ -3,6 +3,7 @@
 #include "engine/core/text_lists.h"
 #include "engine/plan/object_key.h"
 #include "planning/free_space/free_space.h"
+#include "planning/timing/clip.h"
 #include "planning/timing/motion_limits.h"
 #include "ui/overlays/steps_overlay.h"
 #include "ui/panels/edits/edit_parts.h"
@@ -169,6 +170,14 @@ void Editor::drawParameters() {
         view.notes["octree_resolution_m"] =
             fmt::format("{:.3g} m is used, as the scene is too large for {:.3g} m",
                         shown.free_space->resolution_m(), asked_m);
+    }
+    const int most = shown.params.timing.max_frames;
+    if (workspace_.planIsCurrent() && frameCount() > 0 && frameCount() < 0.9 * most &&
+        !planning::keepsFrameRate(shown.params.timing)) {
+        view.notes["max_frames"] = fmt::format(
+            "{} frames are used; more would exceed max repeat rate. For a fixed rate, check keep "
+            "frame rate.",
+            frameCount());
     }
     const ui::ParametersActions actions = ui::drawParametersPanel(view, fields);
     if (actions.reset_all) {

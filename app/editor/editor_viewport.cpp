@@ -396,7 +396,10 @@ void Editor::drawTextureBar() {
     const int pressed = ui::drawNoteBar(
         "textures_missing", count + "; those surfaces have a plain colour.",
         {{"Details\u2026", "Name the missing textures"}, {"Hide", "Hide this line"}});
-    if (pressed == 1) textures_note_ = false;
+    if (pressed == 1) {
+        textures_note_ = false;
+        settings_.addSeen(missing_textures_note_);
+    }
     if (pressed != 0) return;
     constexpr std::size_t kMostNamed = 20;
     std::string text;

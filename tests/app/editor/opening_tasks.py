@@ -144,7 +144,7 @@ class Opening(Task):
             self.editor.kill()
             self.assertNotIn("import_doubt", self.start(file)["items"])
 
-    def test_missing_textures_are_told_once_and_do_not_block(self):
+    def test_missing_textures_are_told_until_that_is_hidden_and_do_not_block(self):
         scene = self.folder / "bare.obj"
         tiny_room.write(scene)
         scene.write_text("mtllib bare.mtl\nusemtl bare\n" + scene.read_text())
@@ -155,6 +155,9 @@ class Opening(Task):
         self.editor.click("textures_missing.0")
         self.assertIn("nowhere.png", self.notice())
         self.dismiss("ok")
+        self.editor.tap("ctrl+q")
+        self.editor.wait_end()
+        self.assertIn("textures_missing", self.start(scene)["items"])
         state = self.editor.click("textures_missing.1")
         self.assertNotIn("textures_missing", state["items"])
         self.editor.tap("ctrl+q")

@@ -120,7 +120,10 @@ void explainField(const Field& field, const Field& standard,
     std::string range = field.rangeText();
     if (!field.unit().empty()) range += " " + std::string(field.unit());
     ImGui::TextDisabled("%s   %s", field.name.c_str(), range.c_str());
-    ImGui::TextDisabled("default %s; double-click to type", standard.valueText().c_str());
+    const bool typed = std::holds_alternative<Field::Integer>(field.value) ||
+                       std::holds_alternative<Field::Real>(field.value);
+    ImGui::TextDisabled("default %s%s", standard.valueText().c_str(),
+                        typed ? "; double-click to type" : "");
     if (const std::string symbol(field.symbol()); !symbol.empty()) {
         ImGui::TextDisabled("%s is its symbol in the method's paper", symbol.c_str());
     }
