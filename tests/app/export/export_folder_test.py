@@ -368,7 +368,7 @@ class ExportFolder(FolderCase):
             (["traced_samples=2", "render_mode=traced"], None, []),
             (["light_seed=2"], "light_seed has no effect with light_variation=0; set "
                                "light_variation above 0", []),
-            (["focus_m=2"], "focus_m", []),
+            (["focus_m=2"], "focus_m", sensor),
             (["looks=1", "readout_s=0"], "looks", sensor),
             (["looks=1", "readout_s=0"], None, ["--modalities", "rgb,depth_sensor"]),
             (["looks=1"], None, sensor),
