@@ -95,10 +95,11 @@ struct ViewpointParams {
 template <class Params, class Visitor>
 void visitViewpointParams(Params& p, Visitor&& visit) {
     visit("fill", p.fill,
-          FieldInfo{0.1, 1.0, "",
-                    "Share of the image's width or height that the target takes; at most 0.45 with "
-                    "trackability",
-                    "d"});
+          FieldInfo{
+              0.1, 1.0, "",
+              "Size of the target in the picture: the share of the image's width or height that "
+              "it takes; at most 0.45 with trackability",
+              "d"});
     visit("yaw_offset_deg", p.yaw_offset_deg,
           FieldInfo{-180, 180, "deg", "Turns the viewing direction about the vertical", "M"});
     visit("pitch_offset_deg", p.pitch_offset_deg,
@@ -253,8 +254,9 @@ void visitTimingParams(Params& p, Visitor&& visit) {
     visit("max_frames", p.max_frames,
           FieldInfo{
               0, 1e6, "",
-              "Largest number of frames. The frame rate is lowered to meet it; where the rate is "
-              "fixed, fewer objects are visited. 0: no limit"});
+              "Largest number of frames. The frame rate is lowered to meet it, and further while "
+              "max_repeat_rate is exceeded; where the rate is fixed, fewer objects are visited. 0: "
+              "no limit"});
     visit("max_repeat_rate", p.max_repeat_rate,
           FieldInfo{
               0, 1, "",
@@ -399,16 +401,15 @@ void visitCoverageParams(Params& p, Visitor&& visit) {
                      "What key frames are for: objects: good views of each object; surface: all "
                      "surface that can be seen, for reconstruction and mapping; both: objects "
                      "first, then the surface that their views do not cover"});
-    visit(
-        "surface_directions", p.surface_directions,
-        FieldInfo{
-            1, 8, "",
-            "Directions, at least 15 degrees apart, from which each piece of surface shall be seen"}
-            .onlyWith("objective=surface|both"));
+    visit("surface_directions", p.surface_directions,
+          FieldInfo{1, 8, "",
+                    "For objective=surface or both, and for measuring surface with --quality: "
+                    "directions, at least 15 degrees apart, from which each piece of surface shall "
+                    "be seen"});
     visit("surface_mm_px", p.surface_mm_px,
           FieldInfo{0.1, 1000, "mm",
-                    "Largest width of a pixel on the surface, measured across the line of sight"}
-              .onlyWith("objective=surface|both"));
+                    "For the same: largest width of a pixel on the surface, measured across the "
+                    "line of sight"});
 }
 
 /// All parameters of a plan and of the images rendered from it. Field names are unique across the
