@@ -20,8 +20,8 @@ struct Fonts {
     ImFont* mono = nullptr;
 };
 
-/// Remembers letters of `text` (UTF-8) that loadFonts() does not load otherwise, as in Chinese or
-/// Russian names of objects. Returns whether there are new ones, so that the fonts must be loaded
+/// Registers the letters of `text` (UTF-8) that loadFonts() does not always load, for example
+/// Chinese or Russian ones. Returns whether any of them is new; then the fonts must be loaded
 /// again.
 bool addLetters(std::string_view text);
 /// Loads the fonts at `scale` (1: 96 dots per inch) into the atlas of the current ImGui context.

@@ -76,8 +76,9 @@ std::string changedNames(const planning::PlanParams& one, const planning::PlanPa
 /// Whether the parameter belongs to the images and files of an export, not to the plan.
 bool isOfImages(const Field& field);
 
-/// "shake_hz has no effect with shake=none; set shake=sinusoidal or handheld"; empty if the
-/// parameter has an effect with the current values of the others.
+/// A warning for the user, for example "shake_hz has no effect with shake=none; set
+/// shake=sinusoidal or handheld"; empty if the parameter has an effect with the current values of
+/// the others.
 std::string noEffectMessage(const FieldList& fields, const Field& field);
 
 /// Checks that do not need the scene: the file exists, and the parameters are valid. Errors:

@@ -83,8 +83,8 @@ void letPresetSetOthers(FieldList& fields, std::string_view name,
 /// closest name when there is none of that name.
 Status setField(const FieldList& fields, std::string_view assignment);
 
-/// "shake=none" if the field has no effect because of that value of another field of the list;
-/// empty if it has an effect. See FieldInfo::onlyWith().
+/// The value of another field of the list because of which this one has no effect, for example
+/// "shake=none"; empty if it has an effect. The condition is that of FieldInfo::onlyWith().
 std::string withoutEffectBy(const FieldList& fields, const Field& field);
 
 /// Object of sections, each an object of fields.

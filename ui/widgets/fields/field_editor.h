@@ -10,8 +10,9 @@ namespace dollytrack::ui {
 /// Draws a row of a two-column table: name with its symbol in the method's paper, widget with unit,
 /// and a reset button if the value differs from `standard` (the same field of a default-constructed
 /// struct). The tooltip shows description, range and default. `path` is the widget's name in the
-/// item map: "parameters.fill". `no_effect_with` is what withoutEffectBy() says of the field: if it
-/// is not empty, the row is dimmed and the tooltip says why; the value can be edited all the same.
+/// item map: "parameters.fill". `no_effect_with` names the value of another parameter because of
+/// which this one has no effect ("shake=none"); the row is then dimmed, and the tooltip says why.
+/// The value can still be edited.
 FieldEdit drawField(const Field& field, const Field& standard, const std::string& path,
                     const std::string& no_effect_with = {});
 
