@@ -213,7 +213,8 @@ tl::unexpected<Error> whyNot(const BlenderRun& run, const fs::path& blender,
     if (reason.empty()) {
         std::istringstream lines(run.messages);
         for (std::string line; std::getline(lines, line);) {
-            if (!trimmed(line).empty()) reason = cleanText(std::string(trimmed(line)));
+            const std::string_view text = trimmed(line);
+            if (!text.empty() && !text.starts_with(kMessage)) reason = cleanText(std::string(text));
         }
     }
     if (reason.empty()) {
