@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+
 namespace dollytrack::planning {
 
 FieldList listFields(PlanParams& params) {
@@ -103,6 +106,13 @@ Status validate(const PlanParams& params) {
                     "heading");
     }
     return {};
+}
+
+// This list and the next function name the same sections.
+bool isOfImages(std::string_view section) {
+    constexpr std::array<std::string_view, 5> kSections = {"imu", "stereo", "picture", "light",
+                                                           "sensor"};
+    return std::ranges::find(kSections, section) != kSections.end();
 }
 
 PlanParams onlyOfThePlan(PlanParams params) {

@@ -254,14 +254,15 @@ void visitTimingParams(Params& p, Visitor&& visit) {
     visit("max_frames", p.max_frames,
           FieldInfo{
               0, 1e6, "",
-              "Largest number of frames. The frame rate is lowered to meet it, and further while "
-              "max_repeat_rate is exceeded; where the rate is fixed, fewer objects are visited. 0: "
-              "no limit"});
+              "Largest number of frames. The frame rate is lowered to meet it, and the frames are "
+              "spread over all views, so that the camera moves more slowly; where the rate is "
+              "fixed, fewer objects are visited. 0: no limit"});
     visit("max_repeat_rate", p.max_repeat_rate,
           FieldInfo{
               0, 1, "",
-              "Lowers the frame rate until at most this share of frames shows nothing new, or only "
-              "key frames and room views are left; 1: any share"}
+              "Lowers the frame rate until at most this share of frames shows nothing new. Without "
+              "effect where no frame rate achieves that, as in small rooms, whose views overlap; "
+              "1: any share"}
               .onlyWith("max_frames>0"));
 }
 
@@ -486,11 +487,13 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Random seed"});
 }
 
-/// Returns the parameters with every field that does not affect the plan (IMU, stereo, picture,
-/// sensor, light) at its default.
+/// Whether the parameters of a section affect only the images and files of an export, not the plan.
+[[nodiscard]] bool isOfImages(std::string_view section);
+
+/// Returns the parameters with those of images at their defaults; see isOfImages().
 [[nodiscard]] PlanParams onlyOfThePlan(PlanParams params);
 
-/// Whether both give the same plan. They may differ in IMU, stereo, picture, sensor and light.
+/// Whether both give the same plan. They may differ in the parameters of images.
 [[nodiscard]] bool makeSamePlan(const PlanParams& a, const PlanParams& b);
 
 /// Sets the body, camera radius, height band, pitch band and shake kind to the values of

@@ -55,13 +55,11 @@ std::string parameterEntries(const FieldList& fields) {
         if (field.section != section) text += ".SS " + field.section + "\n";
         section = field.section;
         const std::string_view unit = field.unit();
-        text += fmt::format(
-            ".TP\n\\fB{}\\fR={}{}\n{} ({})\n", field.name, manual::troffText(field.valueText()),
-            unit.empty() ? "" : " " + manual::troffText(std::string(unit)),
-            manual::troffText(std::string(field.text())),
-            manual::troffText(
-                field.rangeText() +
-                (field.onlyWith().empty() ? "" : "; only with " + std::string(field.onlyWith()))));
+        text += fmt::format(".TP\n\\fB{}\\fR={}{}\n{} ({})\n", field.name,
+                            manual::troffText(field.valueText()),
+                            unit.empty() ? "" : " " + manual::troffText(std::string(unit)),
+                            manual::troffText(std::string(field.text())),
+                            manual::troffText(field.rangeAndConditionText()));
     }
     return text;
 }

@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <functional>
@@ -57,7 +56,7 @@ void warnOfArgumentsWithoutEffect(const SceneArguments& arguments, planning::Pla
     for (const std::string& assignment : arguments.assignments) {
         const std::string name = assignment.substr(0, assignment.find('='));
         const auto field = std::ranges::find(fields, name, &Field::name);
-        if (field == fields.end() || isOfImages(*field)) continue;
+        if (field == fields.end() || planning::isOfImages(field->section)) continue;
         const std::string message = noEffectMessage(fields, *field);
         if (!message.empty()) log::warn("plan", message);
     }
@@ -325,11 +324,6 @@ Result<OpenedScene> openedWith(OpenedScene opened, const SceneArguments& argumen
         return tl::unexpected(std::move(status.error()));
     }
     return opened;
-}
-
-bool isOfImages(const Field& field) {
-    constexpr std::array kSections = {"imu", "stereo", "picture", "light", "sensor"};
-    return std::ranges::find(kSections, field.section) != kSections.end();
 }
 
 std::string noEffectMessage(const FieldList& fields, const Field& field) {

@@ -73,9 +73,6 @@ ProjectFile projectOf(const OpenedScene& opened);
 /// Names of the planning parameters that differ, for a message: "fill, width_px".
 std::string changedNames(const planning::PlanParams& one, const planning::PlanParams& other);
 
-/// Whether the parameter belongs to the images and files of an export, not to the plan.
-bool isOfImages(const Field& field);
-
 /// A warning for the user, for example "shake_hz has no effect with shake=none; set
 /// shake=sinusoidal or handheld"; empty if the parameter has an effect with the current values of
 /// the others.

@@ -142,6 +142,11 @@ std::string Field::rangeText() const {
                       value);
 }
 
+std::string Field::rangeAndConditionText() const {
+    return onlyWith().empty() ? rangeText()
+                              : fmt::format("{}; only with {}", rangeText(), onlyWith());
+}
+
 void letPresetSetOthers(FieldList& fields, std::string_view name,
                         const std::function<void()>& set_others) {
     const auto preset = std::ranges::find(fields, name, &Field::name);

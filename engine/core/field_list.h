@@ -43,6 +43,8 @@ struct Field {
     [[nodiscard]] std::string_view onlyWith() const;  // see FieldInfo::onlyWith()
     [[nodiscard]] std::string valueText() const;      // as `--set` reads it
     [[nodiscard]] std::string rangeText() const;      // "0.1 .. 1" or "tour | longest_branch"
+    /// The range and what the field needs: "0 .. 1; only with max_frames>0".
+    [[nodiscard]] std::string rangeAndConditionText() const;
 };
 
 using FieldList = std::vector<Field>;

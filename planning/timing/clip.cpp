@@ -73,8 +73,18 @@ tl::unexpected<Error> tooShortClip(const TimingParams& params) {
                 by_duration ? "duration_s" : "max_frames");
 }
 
-std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params) {
+std::string_view whatLoweredTheFrameRate(const Trajectory& trajectory, const TimingParams& params) {
     constexpr double kSame = 1e-6;  // relative to the interval
+    const bool lowered = trajectory.frame_interval_s * params.frame_rate > 1.0 + kSame;
+    if (keepsFrameRate(params) || !lowered || trajectory.frames.size() < 2) return {};
+    // Timing alone leaves a small part of the budget unused.
+    constexpr double kUsed = 0.95;
+    const auto frames = static_cast<double>(trajectory.frames.size());
+    return params.max_repeat_rate < 1.0 && frames < kUsed * params.max_frames ? "max_repeat_rate"
+                                                                              : "max_frames";
+}
+
+std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params) {
     const auto frames = static_cast<int>(trajectory.frames.size());
     if (!keepsFrameRate(params) && frames == 1 && params.max_frames > 1) {
         return fmt::format(
@@ -87,18 +97,16 @@ std::string frameRateNote(const Trajectory& trajectory, const TimingParams& para
             "into the remaining frames; raise max_frames or lower frame_rate",
             frames, params.max_frames, params.frame_rate);
     }
-    const bool lowered = trajectory.frame_interval_s * params.frame_rate > 1.0 + kSame;
-    if (keepsFrameRate(params) || !lowered || trajectory.frames.size() < 2) return {};
-    // Timing alone leaves a small part of the budget unused.
-    constexpr double kUsed = 0.95;
-    const bool repeats = params.max_repeat_rate < 1.0 && frames < kUsed * params.max_frames;
+    const std::string_view reason = whatLoweredTheFrameRate(trajectory, params);
+    if (reason.empty()) return {};
     return fmt::format(
         "frame_rate={:g} was lowered to {:.3g} ({} frames) for {}; keep_frame_rate=true keeps the "
         "rate and visits fewer objects",
         params.frame_rate, 1.0 / trajectory.frame_interval_s, frames,
-        repeats ? fmt::format("max_repeat_rate={:g}, although max_frames={} allows more",
-                              params.max_repeat_rate, params.max_frames)
-                : fmt::format("max_frames={}", params.max_frames));
+        reason == "max_repeat_rate"
+            ? fmt::format("max_repeat_rate={:g}, although max_frames={} allows more",
+                          params.max_repeat_rate, params.max_frames)
+            : fmt::format("max_frames={}", params.max_frames));
 }
 
 }  // namespace dollytrack::planning

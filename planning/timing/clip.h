@@ -4,6 +4,7 @@
 #include "engine/core/result.h"
 
 #include <string>
+#include <string_view>
 
 namespace dollytrack::planning {
 
@@ -26,6 +27,10 @@ struct TimingParams;
 
 /// Error: Failed, for a clip too short for the views that must be visited.
 [[nodiscard]] tl::unexpected<Error> tooShortClip(const TimingParams& params);
+
+/// The parameter that lowered the frame rate, max_frames or max_repeat_rate; empty if none did.
+[[nodiscard]] std::string_view whatLoweredTheFrameRate(const Trajectory& trajectory,
+                                                       const TimingParams& params);
 
 /// A phrase saying that a budget lowered the frame rate and which option keeps it, or that a fixed
 /// frame rate or a trajectory of one frame left more than half of the frames unused; else empty.

@@ -107,10 +107,12 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
     // The fewest frames known to exceed the limit, or all.
     int high = static_cast<int>(trajectory.frames.size());
     Result<Trajectory> thinned = time_within(low);
-    for (int trial = 0; trial < kMostReductions && thinned && low > least; ++trial) {
+    for (int trial = 0; thinned; ++trial) {
         const Result<double> found = rateOf(*thinned);
         if (!found) return tl::unexpected(found.error());
         if (*found <= limit) break;
+        // Fewer frames without fewer repeats would only be a loss.
+        if (low <= least || trial == kMostReductions) return trajectory;
         high = low;
         // Correct the target by the ratio found.
         rate *= kAim * max_repeat_rate / *found;

@@ -22,9 +22,10 @@ struct SurfaceSamplers {
 using TimeWithin = std::function<Result<Trajectory>(int max_frames)>;
 
 /// Lowers the frame rate of a trajectory until at most `max_repeat_rate` of its frames show nothing
-/// new (see TrajectoryMetrics), or only key frames are left. Uses at most 15 fine measurements, so
-/// the rate found may be slightly too low. Unchanged if the limit is 1 or there are no key frames.
-/// Errors: Cancelled, and those of `time_within`.
+/// new (see TrajectoryMetrics). Uses at most 16 fine measurements, so the rate found may be
+/// slightly too low. Unchanged if the limit is 1, if there are no key frames, or if no frame rate
+/// meets the limit, as where the key frames alone repeat too much. Errors: Cancelled, and those of
+/// `time_within`.
 Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
                                const TimeWithin& time_within, SurfaceSamplers& samplers,
                                const JobContext& job);

@@ -19,10 +19,8 @@ void printTable(const FieldList& fields) {
         }
         const std::string symbol =
             field.symbol().empty() ? "" : fmt::format(" ({})", field.symbol());
-        const std::string condition =
-            field.onlyWith().empty() ? "" : fmt::format("; only with {}", field.onlyWith());
-        fmt::print("  {:<22} {:<8} {:<5} {}{}\n  {:<22} {}{}\n", field.name, field.valueText(),
-                   field.unit(), field.text(), symbol, "", field.rangeText(), condition);
+        fmt::print("  {:<22} {:<8} {:<5} {}{}\n  {:<22} {}\n", field.name, field.valueText(),
+                   field.unit(), field.text(), symbol, "", field.rangeAndConditionText());
     }
 }
 

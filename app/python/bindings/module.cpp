@@ -54,7 +54,7 @@ py::list parameters() {
             standard = py::float_(*std::get<Field::Real>(field.value).value);
         }
         rows.append(py::make_tuple(field.section, field.name, kind, standard,
-                                   std::string(field.unit()), field.rangeText(),
+                                   std::string(field.unit()), field.rangeAndConditionText(),
                                    std::string(field.text()), choices));
     }
     return rows;

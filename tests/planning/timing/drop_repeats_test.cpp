@@ -31,6 +31,7 @@ std::vector<int> keysInOrder(const Trajectory& trajectory) {
 // A room with few objects is soon seen completely: many frames would show nothing new.
 TEST(DropRepeats, LowersTheRateUntilFewFramesRepeatAndLosesNoCapture) {
     PlanParams params;
+    params.gaze.view_mix = 0.0;  // room views repeat, and all of them stay
     params.timing.max_frames = 300;
     params.timing.frame_rate = 30.0;
     const auto all = planned(params, 1.0);
@@ -70,12 +71,16 @@ TEST(DropRepeats, KeepsAsManyFramesAsTheLimitAllows) {
     }
 }
 
-TEST(DropRepeats, KeyFramesStayWhateverTheyRepeat) {
+// Some key frames repeat, and all of them stay, so that no frame rate meets a limit of 0.
+TEST(DropRepeats, ALimitThatNoFrameRateMeetsDropsNothing) {
     PlanParams params;
     params.timing.max_frames = 300;
-    const auto thinned = planned(params, 0.0);
-    ASSERT_TRUE(thinned);
-    EXPECT_EQ(keysInOrder(thinned->trajectory).size(), thinned->key_frames.size());
+    const auto all = planned(params, 1.0);
+    const auto limited = planned(params, 0.0);
+    ASSERT_TRUE(all && limited);
+    EXPECT_GT(limited->trajectory_metrics.repeat_rate, 0.0);
+    EXPECT_EQ(limited->trajectory.frames.size(), all->trajectory.frames.size());
+    EXPECT_DOUBLE_EQ(limited->trajectory.frame_interval_s, all->trajectory.frame_interval_s);
 }
 
 // Without a budget the frame rate stays as requested.
