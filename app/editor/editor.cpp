@@ -116,6 +116,7 @@ void Editor::refreshScene() {
         recorded_key_s_.reset();
         read_motions_.clear();
         repaired_motion_ = {};
+        before_repair_.reset();
         made_motion_ = {};
         recorded_key_.reset();
         questions_.forgetProject();

@@ -470,6 +470,7 @@ class Editor {
     // Camera paths read from files, and their repairs; undo and redo return to them.
     std::vector<ReadMotion> read_motions_;
     SharedMotion repaired_motion_;                 // result of the last repair
+    std::optional<KeptPlan> before_repair_;        // the plan before that
     std::string motion_change_;                    // what that changed
     std::weak_ptr<const Scene> scene_of_letters_;  // see loadLettersOf()
     std::optional<int> stored_frame_;       // stored frame of a project whose plan is awaited

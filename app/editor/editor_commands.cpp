@@ -74,7 +74,13 @@ void Editor::addFileCommands() {
                            import["up_axis"] = axis.text();
                            workspace_.readAgain(import);
                        },
-                       needs_project});
+                       needs_project,
+                       [this, axis] {
+                           return workspace_.isOpen() &&
+                                  workspace_.importReport().up_axis == axis.text();
+                       },
+                       {},
+                       "Upward axis"});
     }
     commands_.add({"file.labels",
                    "File",
@@ -378,9 +384,7 @@ void Editor::drawMenus() {
     if (!ImGui::BeginMainMenuBar()) return;
     const auto menu = [this](const char* group, const std::function<void()>& more = {}) {
         if (!ImGui::BeginMenu(group)) return;
-        for (const ui::Command& command : commands_.all()) {
-            if (command.group == group) commands_.drawMenuItem(command.id);
-        }
+        commands_.drawMenuItems(group);
         if (more) more();
         ImGui::EndMenu();
     };

@@ -74,7 +74,7 @@ ui::ComparisonView Editor::comparisonView() {
 
 void Editor::follow(const ui::ComparisonActions& actions) {
     const std::shared_ptr<const FrameQuality> quality = quality_.of(workspace_.shown().plan);
-    if (actions.keep) comparison_.keep(workspace_, quality.get());
+    if (actions.keep) comparison_.keep(currentPlan(workspace_, quality.get()));
     if (actions.open) askForFile("kept plan");
     if (actions.swap) comparison_.swap(workspace_, quality.get());
     if (actions.drop) comparison_.drop();

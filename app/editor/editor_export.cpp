@@ -34,7 +34,7 @@ std::vector<ui::ExportChoice> modalityChoices(RenderMode mode) {
         choices.push_back({one.name, one.text, one.standard, colour,
                            std::string(render::groupName(one.group)),
                            traced && mode == RenderMode::Fast
-                               ? "Set render_mode to traced or reference to write it."
+                               ? "Set render mode to traced or reference to write it."
                                : ""});
     }
     return choices;
@@ -334,7 +334,7 @@ void Editor::addOtherProject(const OtherProject& other) {
     if (request.modalities.empty() && !left_out.empty()) {
         questions_.tell({true,
                          "Nothing would be exported",
-                         fmt::format("{} cannot be written for {}, whose render_mode is fast.",
+                         fmt::format("{} cannot be written for {}, whose render mode is fast.",
                                      left_out, project.filename().string()),
                          {}});
         return;
@@ -349,7 +349,7 @@ void Editor::addOtherProject(const OtherProject& other) {
     if (left_out.empty()) return;
     questions_.tell({false,
                      "Some modalities are left out",
-                     fmt::format("{} is exported without {}, because its render_mode is fast.\n"
+                     fmt::format("{} is exported without {}, because its render mode is fast.\n"
                                  "Set it to traced or reference to write them.",
                                  project.filename().string(), left_out),
                      {}});

@@ -43,8 +43,7 @@ std::string changeText(const planning::MotionChange& change) {
     text +=
         fmt::format("; {:.1f} m long instead of {:.1f} m", change.length_m, change.given_length_m);
     if (change.time_added_s > 0.0) {
-        text +=
-            fmt::format("; {:.1f} s longer, for the limits of motion_preset", change.time_added_s);
+        text += fmt::format("; {:.1f} s longer, to meet the motion limits", change.time_added_s);
     }
     if (change.paths_cut > 0) {
         text += fmt::format("; cut at {} place{} where no collision-free path exists",
@@ -132,7 +131,10 @@ ui::MotionView Editor::motionView() {
     if (selectedKey() != nullptr) view.selected_key = selected_.now().index;
     view.why_no_key = whyNoKey();
     view.why_no_replacing = whyNoReplacing();
-    if (motion && motion == repaired_motion_) view.change = motion_change_;
+    if (motion && motion == repaired_motion_) {
+        view.change = motion_change_;
+        view.can_compare = before_repair_.has_value();
+    }
     if (motion && motion == made_motion_) view.change = move_note_;
     if (const MotionFile* file = motionFile()) {
         const auto worlds = ui::motionWorlds();
@@ -151,6 +153,10 @@ void Editor::follow(const ui::MotionActions& actions) {
     if (actions.import) askForFile("camera path");
     if (actions.repair) {
         motions_.repair(workspace_.state().edits.plan.motion, workspace_.shown());
+    }
+    if (actions.compare && before_repair_) {
+        comparison_.keep(*before_repair_);
+        docks_.open(panelName(Panel::Metrics));
     }
     if (actions.add_key) recordKey();
     if (actions.replace_key) replaceKey();
@@ -316,6 +322,14 @@ void Editor::takeMotion() {
     }
     const std::optional<MotionFile> file_before =
         motionFile() != nullptr ? std::optional(*motionFile()) : std::nullopt;
+    const bool repaired = (*outcome)->source == MotionWorker::Source::Repair;
+    if (repaired) {
+        before_repair_.reset();
+        if (whyPlanNotCurrent().empty()) {
+            before_repair_ = currentPlan(workspace_, quality_.of(workspace_.shown().plan).get());
+            before_repair_->name = "Before the repair";
+        }
+    }
     nlohmann::json operation = motionJson((*outcome)->motion);
     operation["op"] = "set_motion";
     const MotionWorker::Source source = (*outcome)->source;
@@ -324,7 +338,6 @@ void Editor::takeMotion() {
     tellRefusal(done);
     if (!done) return;
     const SharedMotion& motion = workspace_.state().edits.plan.motion;
-    const bool repaired = source == MotionWorker::Source::Repair;
     if (source == MotionWorker::Source::File) read_motions_.push_back({motion, (*outcome)->file});
     if (repaired && file_before) read_motions_.push_back({motion, *file_before});
     if (source == MotionWorker::Source::Move) {

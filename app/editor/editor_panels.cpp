@@ -3,6 +3,7 @@
 #include "engine/core/text_lists.h"
 #include "engine/plan/object_key.h"
 #include "planning/free_space/free_space.h"
+#include "planning/pipeline/follow_motion.h"
 #include "planning/timing/clip.h"
 #include "planning/timing/motion_limits.h"
 #include "ui/overlays/steps_overlay.h"
@@ -171,13 +172,26 @@ void Editor::drawParameters() {
             fmt::format("{:.3g} m is used, as the scene is too large for {:.3g} m",
                         shown.free_space->resolution_m(), asked_m);
     }
-    const int most = shown.params.timing.max_frames;
-    if (workspace_.planIsCurrent() && frameCount() > 0 && frameCount() < 0.9 * most &&
-        !planning::keepsFrameRate(shown.params.timing)) {
-        view.notes["max_frames"] = fmt::format(
-            "{} frames are used; more would exceed max repeat rate. For a fixed rate, check keep "
-            "frame rate.",
-            frameCount());
+    if (const std::string_view reason =
+            workspace_.planIsCurrent() && plan() != nullptr
+                ? planning::whatLoweredTheFrameRate(plan()->trajectory, shown.params.timing)
+                : std::string_view();
+        !reason.empty()) {
+        view.notes["max_frames"] =
+            fmt::format("{} frames at {:.3g}/s{}. For a fixed rate, check keep frame rate.",
+                        frameCount(), 1.0 / plan()->trajectory.frame_interval_s,
+                        reason == "max_repeat_rate" ? "; more would exceed max repeat rate" : "");
+    }
+    if (workspace_.state().edits.plan.motion) {
+        planning::PlanParams set = shown.params;
+        planning::PlanParams used = planning::paramsForMotion(set);
+        used.gaze = set.gaze;  // room views are on by default
+        const FieldList of_set = planning::listFields(set);
+        const FieldList of_used = planning::listFields(used);
+        for (std::size_t i = 0; i < of_set.size(); ++i) {
+            if (of_set[i].valueText() == of_used[i].valueText()) continue;
+            view.notes[of_set[i].name] = "No effect on a camera path that is given by hand";
+        }
     }
     const ui::ParametersActions actions = ui::drawParametersPanel(view, fields);
     if (actions.reset_all) {

@@ -4,8 +4,11 @@
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <map>
+#include <string>
+#include <utility>
 
 namespace dollytrack::ui::command_table_test {
 namespace {
@@ -70,6 +73,31 @@ TEST_F(CommandTableTest, FindsPlusAndMinusWhereTheKeyboardHasThem) {
     screen.press(GLFW_KEY_SLASH);
     EXPECT_EQ(ran["larger"], 1);
     EXPECT_EQ(ran["smaller"], 1);
+}
+
+TEST(CommandMenus, CommandsOfASubmenuAreInIt) {
+    CommandTable commands;
+    std::string ran;
+    for (const char* id : {"before", "in.first", "in.second", "after"}) {
+        Command command{id, "File", id, {}, [&ran, id] { ran = id; }};
+        if (command.id.starts_with("in.")) command.submenu = "Inner";
+        commands.add(std::move(command));
+    }
+    test::Screen screen([&] {
+        if (ImGui::Button("Open")) ImGui::OpenPopup("File");
+        nameItem("open");
+        if (!ImGui::BeginPopup("File")) return;
+        commands.drawMenuItems("File");
+        ImGui::EndPopup();
+    });
+    screen.click("open");
+    screen.frame(2);
+    EXPECT_TRUE(screen.shows("command.before") && screen.shows("command.after")) << screen.names();
+    EXPECT_FALSE(screen.shows("command.in.first"));
+    screen.click("menu.Inner");
+    screen.frame(2);
+    ASSERT_TRUE(screen.click("command.in.second")) << screen.names();
+    EXPECT_EQ(ran, "in.second");
 }
 
 }  // namespace

@@ -22,19 +22,6 @@ nlohmann::json metricsOf(const PlanOutcome& shown, const FrameQuality* quality) 
     return metrics;
 }
 
-KeptPlan currentPlan(const Workspace& workspace, const FrameQuality* quality) {
-    const PlanOutcome& shown = workspace.shown();
-    const CommandStack& history = workspace.history();
-    KeptPlan plan;
-    plan.name = history.position() > 0     ? history.names()[history.position()]
-                : workspace.path().empty() ? workspace.sceneFile().filename().string()
-                                           : workspace.path().filename().string();
-    plan.state = history.state();
-    plan.trajectory = std::shared_ptr<const Trajectory>(shown.plan, &shown.plan->trajectory);
-    plan.metrics = metricsOf(shown, quality);
-    return plan;
-}
-
 Result<KeptPlan> readPlan(const std::filesystem::path& path, const WantedScene& wanted) {
     const std::string name = path.filename().string();
     Result<ProjectContent> content = readProject(path);
@@ -64,9 +51,22 @@ Result<KeptPlan> readPlan(const std::filesystem::path& path, const WantedScene& 
 
 }  // namespace
 
-void PlanComparison::keep(const Workspace& workspace, const FrameQuality* quality) {
+KeptPlan currentPlan(const Workspace& workspace, const FrameQuality* quality) {
+    const PlanOutcome& shown = workspace.shown();
+    const CommandStack& history = workspace.history();
+    KeptPlan plan;
+    plan.name = history.position() > 0     ? history.names()[history.position()]
+                : workspace.path().empty() ? workspace.sceneFile().filename().string()
+                                           : workspace.path().filename().string();
+    plan.state = history.state();
+    plan.trajectory = std::shared_ptr<const Trajectory>(shown.plan, &shown.plan->trajectory);
+    plan.metrics = metricsOf(shown, quality);
+    return plan;
+}
+
+void PlanComparison::keep(KeptPlan plan) {
     reader_.cancel();
-    kept_ = currentPlan(workspace, quality);
+    kept_ = std::move(plan);
     forgetSwaps();
     metrics_of_.reset();
 }

@@ -23,14 +23,16 @@ struct KeptPlan {
     nlohmann::json metrics;  // see metricsJson()
 };
 
+/// The current plan; `quality` may be null. Requires Workspace::planIsCurrent().
+[[nodiscard]] KeptPlan currentPlan(const Workspace& workspace, const FrameQuality* quality);
+
 /// Compares the current plan (A) with one that is kept (B): an earlier one of this project, or that
 /// of another project of the same scene.
 class PlanComparison {
   public:
     explicit PlanComparison(std::function<void()> wake) : reader_(std::move(wake)) {}
 
-    /// Keeps the current plan; `quality` may be null. Requires Workspace::planIsCurrent().
-    void keep(const Workspace& workspace, const FrameQuality* quality);
+    void keep(KeptPlan plan);
     /// Reads another project in the background, whose plan is then kept. Refused (see poll()) if it
     /// has no plan, or another scene or other import settings.
     void read(const std::filesystem::path& project, const Workspace& workspace);

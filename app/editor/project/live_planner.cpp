@@ -166,7 +166,7 @@ void LivePlanner::start(PlanRequest request) {
             }
             refuse({ErrorCode::Failed,
                     std::string("Planning failed: ") + error.what() +
-                        "; try a larger octree_resolution_m.",
+                        "; try a larger octree resolution.",
                     {}});
         }
     });

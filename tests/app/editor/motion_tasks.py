@@ -69,6 +69,13 @@ class Motions(Task):
                 self.assertAlmostEqual(float(text), number, delta=1e-6)
         for frame in repaired:
             self.assertGreater(distance_from_the_sofa(frame[1:4]), 0.1)
+        self.editor.reach("edits.motion.compare", "edits.boxes")
+        state = self.editor.click("edits.motion.compare")
+        self.assertEqual(state["comparison"]["kept"],
+                         {"name": "Before the repair", "frames": FRAMES})
+        self.editor.item("comparison.capture_rate")
+        self.editor.click("comparison.drop")
+        self.editor.click("tab.by hand")
         self.editor.key("ctrl+z")
         state = self.editor.idle()
         self.assertEqual(state["edits"]["motion"]["frames"], given)

@@ -115,6 +115,12 @@ void drawState(const MotionView& view, MotionActions& actions) {
     }
     drawCollisions(view, actions);
     if (!view.change.empty()) paragraph(view.change, palette().text_dim);
+    if (view.can_compare &&
+        button("Compare with before", "edits.motion.compare",
+               {.tip = "Show both paths, and the metrics of both in the panel Metrics",
+                .small = true})) {
+        actions.compare = true;
+    }
 }
 
 /// Draws a dot whose colour tells whether the camera can be at a key and passes it as wanted.

@@ -31,6 +31,7 @@ struct MotionView {
     std::string why_no_key;        // why no key can be added now; empty: it can
     std::string why_no_replacing;  // why no key can be replaced by the view now; empty: one can
     std::string change;            // what the last repair or obstacles to a move changed; or empty
+    bool can_compare = false;      // whether the plan before the last repair is known
     bool can_read_again = false;   // whether the path is from a file
     int world = 0;                 // its coordinate system, index in motionWorlds()
     bool busy = false;             // a path is being read, repaired or made
@@ -43,6 +44,7 @@ struct MotionActions {
     EditRequest edit;
     bool import = false;  // ask for a file
     bool repair = false;
+    bool compare = false;  // with the plan before the repair
     bool cancel = false;
     int read_in_world = -1;               // read the file again, in this coordinate system; -1: no
     MoveFormActions move;                 // buttons of the form for a camera move

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <utility>
+
 namespace dollytrack::ui {
 namespace {
 
@@ -125,7 +127,10 @@ MoveFormActions drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
     }
     const planning::MoveKind* kind = planning::findMoveKind(draft.kind);
     MoveFormActions actions;
-    if (kind == nullptr) return actions;
+    if (kind == nullptr) {
+        draft.drawn.clear();
+        return actions;
+    }
     if (beginForm("move", 0.3F)) {
         for (const MoveSetting& setting : kind->settings) {
             drawSetting(view, setting, draft.options[draft.kind]);
@@ -145,6 +150,8 @@ MoveFormActions drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
     flowTo("Close");
     if (!actions.make && button("Close", "edits.move.close", {.tip = "Hide this form"}))
         draft.kind.clear();
+    // A form that opens below the visible part of the panel is brought into view.
+    if (std::exchange(draft.drawn, draft.kind) != draft.kind) ImGui::SetScrollHereY(1.0F);
     if (!view.note.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().text_dim);
         ImGui::TextWrapped("%s", view.note.c_str());

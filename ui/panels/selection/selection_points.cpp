@@ -199,8 +199,8 @@ void drawPositionPoint(const SelectionView& view, SelectionActions& actions) {
     ImGui::TextColored(handle.pin != nullptr ? palette().accent : palette().text_dim, "%s",
                        handle.pin != nullptr ? "\u25a0 pinned"
                        : point.fixed         ? "fixed by a region or an anchor"
-                       : point.room_view     ? "a room view: many objects at once (view_mix)"
-                       : point.surface_view  ? "a surface view (objective)"
+                       : point.room_view     ? "a room view: many objects at once"
+                       : point.surface_view  ? "a view of surface"
                                              : "found by the search");
     if (beginForm("pose")) {
         drawPose(view, handle, actions.edit);

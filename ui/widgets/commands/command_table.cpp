@@ -138,6 +138,22 @@ std::optional<std::string> CommandTable::runShortcuts(const KeySigns& signs) con
     return refused;
 }
 
+void CommandTable::drawMenuItems(std::string_view group) const {
+    std::string open;  // submenu of the last command, "" if there is none or it is closed
+    std::string last;
+    for (const Command& command : commands_) {
+        if (command.group != group) continue;
+        if (command.submenu != last) {
+            if (!open.empty()) ImGui::EndMenu();
+            last = command.submenu;
+            open = !last.empty() && ImGui::BeginMenu(last.c_str()) ? last : "";
+            if (!last.empty()) nameItem("menu." + last);
+        }
+        if (last.empty() || !open.empty()) drawMenuItem(command.id);
+    }
+    if (!open.empty()) ImGui::EndMenu();
+}
+
 void CommandTable::drawMenuItem(std::string_view id) const {
     const Command* command = find(id);
     if (command == nullptr) return;

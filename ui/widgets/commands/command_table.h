@@ -28,6 +28,7 @@ struct Command {
     std::function<std::string()> why_not = {};  // returns why the command cannot run; empty: it can
     std::function<bool()> checked = {};         // for on/off commands: whether it is on
     Shortcut other_shortcut = {};               // does the same
+    std::string submenu = {};                   // title of a menu within that of the group
 
     [[nodiscard]] std::string keys() const;  // "Ctrl+Shift+Z, Ctrl+Y"
     [[nodiscard]] bool canRun() const { return !why_not || why_not().empty(); }
@@ -48,6 +49,8 @@ class CommandTable {
     /// run, empty if it ran; unset if no shortcut was pressed.
     std::optional<std::string> runShortcuts(const KeySigns& signs = {}) const;
 
+    /// Draws the menu items of a group, with its submenus.
+    void drawMenuItems(std::string_view group) const;
     /// Draws the menu item of a command; does nothing for an unknown id.
     void drawMenuItem(std::string_view id) const;
 
