@@ -36,12 +36,15 @@ std::string changeText(const planning::MotionChange& change) {
     if (change.frames_moved == 0 && change.time_added_s == 0.0 && change.paths_cut == 0) {
         return "Nothing had to change.";
     }
-    std::string text = fmt::format(
-        "{} frames moved, on average by {}, at most by {} and {:.0f}\u00b0", change.frames_moved,
-        lengthText(change.mean_shift_m), lengthText(change.largest_shift_m),
-        change.largest_turn_rad * 180.0 / std::numbers::pi);
-    text +=
-        fmt::format("; {:.1f} m long instead of {:.1f} m", change.length_m, change.given_length_m);
+    std::string text = "The positions stay";
+    if (change.frames_moved > 0) {
+        text = fmt::format(
+            "{} frames moved, on average by {}, at most by {} and {:.0f}\u00b0; {:.1f} m long "
+            "instead of {:.1f} m",
+            change.frames_moved, lengthText(change.mean_shift_m),
+            lengthText(change.largest_shift_m), change.largest_turn_rad * 180.0 / std::numbers::pi,
+            change.length_m, change.given_length_m);
+    }
     if (change.time_added_s > 0.0) {
         text += fmt::format("; {:.1f} s longer, to meet the motion limits", change.time_added_s);
     }
