@@ -47,6 +47,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -133,6 +134,8 @@ class Editor {
     void drawEdits();
     void drawExport();
     void drawParameters();
+    /// Notes below parameters, by name.
+    [[nodiscard]] std::map<std::string, std::string, std::less<>> parameterNotes();
     void setParameter(const std::string& name);  // to the value in the draft
     void drawMetrics();
     void drawSelection();
@@ -470,8 +473,8 @@ class Editor {
     // Camera paths read from files, and their repairs; undo and redo return to them.
     std::vector<ReadMotion> read_motions_;
     SharedMotion repaired_motion_;                 // result of the last repair
-    std::optional<KeptPlan> before_repair_;        // the plan before that
-    std::string motion_change_;                    // what that changed
+    std::optional<KeptPlan> before_repair_;        // the plan before that repair
+    std::string motion_change_;                    // what that repair changed
     std::weak_ptr<const Scene> scene_of_letters_;  // see loadLettersOf()
     std::optional<int> stored_frame_;       // stored frame of a project whose plan is awaited
     std::optional<double> recorded_key_s_;  // time of a key that the playhead shall move to

@@ -39,11 +39,13 @@ std::string changeText(const planning::MotionChange& change) {
     std::string text = "The positions stay";
     if (change.frames_moved > 0) {
         text = fmt::format(
-            "{} frames moved, on average by {}, at most by {} and {:.0f}\u00b0; {:.1f} m long "
-            "instead of {:.1f} m",
-            change.frames_moved, lengthText(change.mean_shift_m),
-            lengthText(change.largest_shift_m), change.largest_turn_rad * 180.0 / std::numbers::pi,
-            change.length_m, change.given_length_m);
+            "{} frames moved, at most by {} and {:.0f}\u00b0 (mean of all frames: {})",
+            change.frames_moved, lengthText(change.largest_shift_m),
+            change.largest_turn_rad * 180.0 / std::numbers::pi, lengthText(change.mean_shift_m));
+    }
+    if (change.frames_moved > 0 || change.paths_cut > 0) {
+        text += fmt::format("; {:.1f} m long instead of {:.1f} m", change.length_m,
+                            change.given_length_m);
     }
     if (change.time_added_s > 0.0) {
         text += fmt::format("; {:.1f} s longer, to meet the motion limits", change.time_added_s);
@@ -136,7 +138,9 @@ ui::MotionView Editor::motionView() {
     view.why_no_replacing = whyNoReplacing();
     if (motion && motion == repaired_motion_) {
         view.change = motion_change_;
-        view.can_compare = before_repair_.has_value();
+        view.can_compare = true;
+        view.why_not_compare =
+            before_repair_ ? "" : "The path was repaired before its plan was ready.";
     }
     if (motion && motion == made_motion_) view.change = move_note_;
     if (const MotionFile* file = motionFile()) {
@@ -326,12 +330,10 @@ void Editor::takeMotion() {
     const std::optional<MotionFile> file_before =
         motionFile() != nullptr ? std::optional(*motionFile()) : std::nullopt;
     const bool repaired = (*outcome)->source == MotionWorker::Source::Repair;
-    if (repaired) {
-        before_repair_.reset();
-        if (whyPlanNotCurrent().empty()) {
-            before_repair_ = currentPlan(workspace_, quality_.of(workspace_.shown().plan).get());
-            before_repair_->name = "Before the repair";
-        }
+    std::optional<KeptPlan> before;
+    if (repaired && whyPlanNotCurrent().empty()) {
+        before = currentPlan(workspace_, quality_.of(workspace_.shown().plan).get());
+        before->name = "Before the repair";
     }
     nlohmann::json operation = motionJson((*outcome)->motion);
     operation["op"] = "set_motion";
@@ -349,6 +351,7 @@ void Editor::takeMotion() {
     }
     if (!repaired) return;
     repaired_motion_ = motion;
+    before_repair_ = std::move(before);
     motion_change_ = changeText((*outcome)->change);
     log::info("editor", "camera path: " + motion_change_);
 }

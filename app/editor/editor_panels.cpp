@@ -154,6 +154,33 @@ void Editor::setParameter(const std::string& name) {
                              "set " + name);
 }
 
+std::map<std::string, std::string, std::less<>> Editor::parameterNotes() {
+    std::map<std::string, std::string, std::less<>> notes;
+    const PlanOutcome& shown = workspace_.shown();
+    const double asked_m = shown.params.free_space.octree_resolution_m;
+    if (shown.free_space && shown.free_space->resolution_m() > asked_m) {
+        notes["octree_resolution_m"] =
+            fmt::format("{:.3g} m is used, as the scene is too large for {:.3g} m",
+                        shown.free_space->resolution_m(), asked_m);
+    }
+    if (workspace_.state().edits.plan.motion) {
+        for (std::string& name : planning::withoutEffectOnMotion(parameters_.params())) {
+            notes[std::move(name)] = "No effect while a camera path is given";
+        }
+        return notes;
+    }
+    if (!workspace_.planIsCurrent() || plan() == nullptr) return notes;
+    const std::string_view reason =
+        planning::whatLoweredTheFrameRate(plan()->trajectory, shown.params.timing);
+    if (!reason.empty()) {
+        notes["max_frames"] =
+            fmt::format("{} frames at {:.3g}/s{}. For a fixed rate, check keep frame rate.",
+                        frameCount(), 1.0 / plan()->trajectory.frame_interval_s,
+                        reason == "max_repeat_rate" ? "; more would exceed max repeat rate" : "");
+    }
+    return notes;
+}
+
 void Editor::drawParameters() {
     if (!workspace_.isOpen()) {
         ImGui::TextDisabled("No scene is open.");
@@ -165,34 +192,7 @@ void Editor::drawParameters() {
     view.standard = &parameters_.standard();
     view.has_scene = true;
     view.filter = &parameters_.filter;
-    const PlanOutcome& shown = workspace_.shown();
-    const double asked_m = shown.params.free_space.octree_resolution_m;
-    if (shown.free_space && shown.free_space->resolution_m() > asked_m) {
-        view.notes["octree_resolution_m"] =
-            fmt::format("{:.3g} m is used, as the scene is too large for {:.3g} m",
-                        shown.free_space->resolution_m(), asked_m);
-    }
-    if (const std::string_view reason =
-            workspace_.planIsCurrent() && plan() != nullptr
-                ? planning::whatLoweredTheFrameRate(plan()->trajectory, shown.params.timing)
-                : std::string_view();
-        !reason.empty()) {
-        view.notes["max_frames"] =
-            fmt::format("{} frames at {:.3g}/s{}. For a fixed rate, check keep frame rate.",
-                        frameCount(), 1.0 / plan()->trajectory.frame_interval_s,
-                        reason == "max_repeat_rate" ? "; more would exceed max repeat rate" : "");
-    }
-    if (workspace_.state().edits.plan.motion) {
-        planning::PlanParams set = shown.params;
-        planning::PlanParams used = planning::paramsForMotion(set);
-        used.gaze = set.gaze;  // room views are on by default
-        const FieldList of_set = planning::listFields(set);
-        const FieldList of_used = planning::listFields(used);
-        for (std::size_t i = 0; i < of_set.size(); ++i) {
-            if (of_set[i].valueText() == of_used[i].valueText()) continue;
-            view.notes[of_set[i].name] = "No effect on a camera path that is given by hand";
-        }
-    }
+    view.notes = parameterNotes();
     const ui::ParametersActions actions = ui::drawParametersPanel(view, fields);
     if (actions.reset_all) {
         parameters_.reset();

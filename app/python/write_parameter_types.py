@@ -16,9 +16,10 @@ def type_of(kind, choices):
 
 def stub_of(rows):
     sections = {}
-    for section, name, kind, default, unit, limits, text, choices in rows:
+    for section, name, kind, default, unit, limits, text, choices, only_with in rows:
         within = "" if choices or kind == "bool" else f"; range: {limits}"
-        about = f"{text}. Default: {default!r}{' ' + unit if unit else ''}{within}."
+        needs = f"; only with {only_with}" if only_with else ""
+        about = f"{text}. Default: {default!r}{' ' + unit if unit else ''}{within}{needs}."
         lines = textwrap.wrap(about, 90)
         sections.setdefault(section, []).append(
             f"    {name}: {type_of(kind, choices)}\n    \"\"\"" + "\n    ".join(lines) + "\"\"\"\n")

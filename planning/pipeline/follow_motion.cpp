@@ -42,6 +42,7 @@ void testMoves(SmoothPath& path, const Eigen::Vector3d& start, const SweptSphere
 PlanParams paramsForMotion(PlanParams params) {
     const PlanParams usual;
     params.timing.max_frames = usual.timing.max_frames;
+    params.timing.max_repeat_rate = usual.timing.max_repeat_rate;
     params.timing.duration_s = usual.timing.duration_s;
     params.timing.keep_frame_rate = usual.timing.keep_frame_rate;
     params.path = usual.path;
@@ -52,6 +53,19 @@ PlanParams paramsForMotion(PlanParams params) {
     params.repair.repair_rounds = 0;
     params.repair.drop_low_frames = false;
     return params;
+}
+
+std::vector<std::string> withoutEffectOnMotion(const PlanParams& params) {
+    PlanParams set = params;
+    PlanParams used = paramsForMotion(params);
+    used.gaze = set.gaze;  // view_mix is reset, too, but its default is not 0
+    const FieldList fields = listFields(set);
+    const FieldList used_fields = listFields(used);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (fields[i].valueText() != used_fields[i].valueText()) names.push_back(fields[i].name);
+    }
+    return names;
 }
 
 Result<FollowedMotion> followMotion(const GivenMotion& motion, const MappedScene& scene,

@@ -7,6 +7,7 @@
 #include "planning/plan_params.h"
 #include "planning/repair/repair.h"
 
+#include <string>
 #include <vector>
 
 namespace dollytrack::planning {
@@ -16,6 +17,9 @@ struct MappedScene;
 /// The parameters without those that only affect planned trajectories: budgets, rooms=each,
 /// anchors, views of rooms, and repair.
 [[nodiscard]] PlanParams paramsForMotion(PlanParams params);
+
+/// Names of the parameters that are not at their defaults, but do not apply to a given motion.
+[[nodiscard]] std::vector<std::string> withoutEffectOnMotion(const PlanParams& params);
 
 /// A given motion as the trajectory of a plan.
 struct FollowedMotion {

@@ -98,12 +98,12 @@ Result<Trajectory> TrajectoryBuilder::withoutRepeats(Trajectory&& steady,
                                                     environment_.pitch, environment_.heading));
     const auto within = [&](int max_frames) {
         TimingParams fewer = timing;
-        fewer.max_frames = std::max(max_frames, least);
+        fewer.max_frames = max_frames;
         return timeSteadily(paths, fewer);
     };
     SurfaceSamplers samplers(
         environment_.views);  // local to the call, since repairs are tried in parallel
-    return dropRepeats(std::move(steady), timing.max_repeat_rate, within, samplers, job_);
+    return dropRepeats(std::move(steady), timing.max_repeat_rate, least, within, samplers, job_);
 }
 
 Result<Trajectory> TrajectoryBuilder::time(std::vector<SmoothPath> paths,

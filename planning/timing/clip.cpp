@@ -76,12 +76,16 @@ tl::unexpected<Error> tooShortClip(const TimingParams& params) {
 std::string_view whatLoweredTheFrameRate(const Trajectory& trajectory, const TimingParams& params) {
     constexpr double kSame = 1e-6;  // relative to the interval
     const bool lowered = trajectory.frame_interval_s * params.frame_rate > 1.0 + kSame;
-    if (keepsFrameRate(params) || !lowered || trajectory.frames.size() < 2) return {};
+    if (params.max_frames <= 0 || keepsFrameRate(params) || !lowered ||
+        trajectory.frames.size() < 2) {
+        return {};
+    }
     // Timing alone leaves a small part of the budget unused.
     constexpr double kUsed = 0.95;
     const auto frames = static_cast<double>(trajectory.frames.size());
-    return params.max_repeat_rate < 1.0 && frames < kUsed * params.max_frames ? "max_repeat_rate"
-                                                                              : "max_frames";
+    return params.max_repeat_rate < 1.0 && frames < kUsed * params.max_frames - 1.0
+               ? "max_repeat_rate"
+               : "max_frames";
 }
 
 std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params) {

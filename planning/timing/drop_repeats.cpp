@@ -24,12 +24,6 @@ constexpr double kBelow = 0.99;     // relative to the limit, so that the result
 constexpr double kStricter = 0.96;  // factor of the number of frames after a measurement above the
                                     // limit
 
-int keyFrames(const Trajectory& trajectory) {
-    return static_cast<int>(
-        std::count_if(trajectory.frames.begin(), trajectory.frames.end(),
-                      [](const TrajectoryFrame& frame) { return frame.position_point >= 0; }));
-}
-
 /// Indices of the key frames, and the number of frames.
 std::vector<std::size_t> keysOf(const Trajectory& trajectory) {
     std::vector<std::size_t> keys;
@@ -71,14 +65,13 @@ Result<Trajectory> addFrames(Trajectory thinned, int low, int high, const TimeWi
 
 }  // namespace
 
-Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
+Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate, int least,
                                const TimeWithin& time_within, SurfaceSamplers& samplers,
                                const JobContext& job) {
-    const int least = keyFrames(trajectory);
-    if (max_repeat_rate >= 1.0 || least == 0) return trajectory;
+    const std::vector<std::size_t> keys = keysOf(trajectory);
+    if (max_repeat_rate >= 1.0 || keys.size() == 1) return trajectory;
     const auto coarse = samplers.coarse.sample(trajectory, job);
     if (!coarse) return tl::unexpected(coarse.error());
-    const std::vector<std::size_t> keys = keysOf(trajectory);
     const auto isFew = [&](double share, double rate) {
         const auto frames = atLowerRate(keys, share);
         return coarse->repeats(frames) <= rate * static_cast<double>(frames.size());
@@ -111,7 +104,7 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
         const Result<double> found = rateOf(*thinned);
         if (!found) return tl::unexpected(found.error());
         if (*found <= limit) break;
-        // Fewer frames without fewer repeats would only be a loss.
+        // Not even the fewest frames meet the limit: keep all of them.
         if (low <= least || trial == kMostReductions) return trajectory;
         high = low;
         // Correct the target by the ratio found.

@@ -18,15 +18,16 @@ struct SurfaceSamplers {
     SurfaceSampler fine;
 };
 
-/// Times the trajectory again with at most `max_frames` frames; all key frames stay.
+/// Times the trajectory again with at most `max_frames` frames, at least the fewest that are
+/// possible; all key frames stay.
 using TimeWithin = std::function<Result<Trajectory>(int max_frames)>;
 
 /// Lowers the frame rate of a trajectory until at most `max_repeat_rate` of its frames show nothing
 /// new (see TrajectoryMetrics). Uses at most 16 fine measurements, so the rate found may be
 /// slightly too low. Unchanged if the limit is 1, if there are no key frames, or if no frame rate
-/// meets the limit, as where the key frames alone repeat too much. Errors: Cancelled, and those of
-/// `time_within`.
-Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
+/// was found that meets the limit, for example because the key frames alone exceed it. `least` is
+/// the fewest frames that `time_within` can give. Errors: Cancelled, and those of `time_within`.
+Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate, int least,
                                const TimeWithin& time_within, SurfaceSamplers& samplers,
                                const JobContext& job);
 

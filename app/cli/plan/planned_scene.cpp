@@ -141,10 +141,10 @@ void warnOfMotion(const Plan& plan, const planning::Pipeline& pipeline, const Sc
                                           collisionsText(plan, pipeline, scene,
                                                          params.camera.camera_radius_m)));
     }
-    planning::PlanParams set = params;
-    planning::PlanParams used = planning::paramsForMotion(params);
-    used.gaze = set.gaze;  // its default already plans views that a motion does without
-    const std::string names = changedNames(set, used);
+    std::string names;
+    for (const std::string& name : planning::withoutEffectOnMotion(params)) {
+        names += (names.empty() ? "" : ", ") + name;
+    }
     if (names.empty()) return;
     log::warn("planning", "not applied to the given camera motion: " + names);
 }

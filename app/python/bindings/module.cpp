@@ -53,9 +53,9 @@ py::list parameters() {
             kind = "float";
             standard = py::float_(*std::get<Field::Real>(field.value).value);
         }
-        rows.append(py::make_tuple(field.section, field.name, kind, standard,
-                                   std::string(field.unit()), field.rangeAndConditionText(),
-                                   std::string(field.text()), choices));
+        rows.append(py::make_tuple(
+            field.section, field.name, kind, standard, std::string(field.unit()), field.rangeText(),
+            std::string(field.text()), choices, std::string(field.onlyWith())));
     }
     return rows;
 }

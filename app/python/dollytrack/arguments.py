@@ -34,6 +34,7 @@ class Parameter(NamedTuple):
     range: str
     text: str
     choices: Tuple[str, ...]
+    only_with: str  # what it needs to have an effect, such as "max_frames>0"; empty: nothing
 
 
 class Parameters(Dict[str, Parameter]):
@@ -52,14 +53,15 @@ class Parameters(Dict[str, Parameter]):
 
 def _described(p: Parameter, indent: str = "  ") -> List[str]:
     unit = f" {p.unit}" if p.unit else ""
-    return [f"{indent}{p.name}: {p.type.__name__} = {p.default!r}  ({p.range}{unit})",
+    needs = f"; only with {p.only_with}" if p.only_with else ""
+    return [f"{indent}{p.name}: {p.type.__name__} = {p.default!r}  ({p.range}{unit}{needs})",
             *textwrap.wrap(p.text, 96, initial_indent=indent + "    ",
                            subsequent_indent=indent + "    ")]
 
 
 def _listed() -> Parameters:
     types: Dict[str, type] = {"bool": bool, "int": int, "float": float, "str": str}
-    return Parameters({row[1]: Parameter(row[0], row[1], types[row[2]], *row[3:7], tuple(row[7]))
+    return Parameters({row[1]: Parameter(row[0], row[1], types[row[2]], *row[3:7], tuple(row[7]), row[8])
                        for row in _core.parameters()})
 
 

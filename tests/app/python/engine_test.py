@@ -201,6 +201,9 @@ class EngineTest(RoomCase):
         self.assertNotIn("fill", found)
         for one in found.values():
             self.assertIn(f"  {one.name}: {one.type.__name__} = {one.default!r}", repr(found))
+        limit = dt.parameters("max_repeat_rate")
+        self.assertEqual(limit["max_repeat_rate"].range, "0 .. 1")
+        self.assertIn("(0 .. 1; only with max_frames>0)", repr(limit))
         self.assertEqual(dt.parameters("no such text"), {})
         with self.assertRaises(dt.Usage):
             dt.parameters(3)

@@ -1,6 +1,7 @@
 #include "planning/timing/drop_repeats.h"
 
 #include "planning/pipeline/pipeline.h"
+#include "planning/timing/clip.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +65,6 @@ TEST(DropRepeats, KeepsAsManyFramesAsTheLimitAllows) {
         const double limit = share * all;
         const auto thinned = planned(params, limit);
         const auto frames = static_cast<int>(thinned->trajectory.frames.size());
-        if (frames == static_cast<int>(thinned->key_frames.size())) continue;
         EXPECT_LT(thinned->trajectory_metrics.repeat_rate, limit);
         params.timing.max_frames = frames + frames / 2;
         EXPECT_GT(planned(params, 1.0)->trajectory_metrics.repeat_rate, limit) << frames;
@@ -81,6 +81,24 @@ TEST(DropRepeats, ALimitThatNoFrameRateMeetsDropsNothing) {
     EXPECT_GT(limited->trajectory_metrics.repeat_rate, 0.0);
     EXPECT_EQ(limited->trajectory.frames.size(), all->trajectory.frames.size());
     EXPECT_DOUBLE_EQ(limited->trajectory.frame_interval_s, all->trajectory.frame_interval_s);
+}
+
+TEST(FrameRate, WhatLoweredItIsKnown) {
+    TimingParams params;  // 10 frames per second
+    const auto reason = [&](std::size_t frames, double interval_s) {
+        Trajectory trajectory{interval_s, {}};
+        trajectory.frames.resize(frames);
+        return whatLoweredTheFrameRate(trajectory, params);
+    };
+    EXPECT_EQ(reason(30, 0.2), "") << "as read from a file";
+    params.max_frames = 300;
+    EXPECT_EQ(reason(300, 0.1), "");
+    EXPECT_EQ(reason(298, 0.2), "max_frames");
+    EXPECT_EQ(reason(200, 0.2), "max_repeat_rate");
+    params.max_frames = 10;
+    EXPECT_EQ(reason(9, 0.2), "max_frames");
+    params.keep_frame_rate = true;
+    EXPECT_EQ(reason(5, 0.2), "");
 }
 
 // Without a budget the frame rate stays as requested.

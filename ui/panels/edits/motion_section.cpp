@@ -116,8 +116,10 @@ void drawState(const MotionView& view, MotionActions& actions) {
     drawCollisions(view, actions);
     if (!view.change.empty()) paragraph(view.change, palette().text_dim);
     if (view.can_compare &&
-        button("Compare with before", "edits.motion.compare",
-               {.tip = "Show both paths, and the metrics of both in the panel Metrics",
+        button("Compare with unrepaired path", "edits.motion.compare",
+               {.why_not = view.why_not_compare,
+                .tip = "Show both paths and their metrics (panel Metrics); replaces the plan kept "
+                       "for comparison",
                 .small = true})) {
         actions.compare = true;
     }

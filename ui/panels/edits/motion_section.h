@@ -31,7 +31,8 @@ struct MotionView {
     std::string why_no_key;        // why no key can be added now; empty: it can
     std::string why_no_replacing;  // why no key can be replaced by the view now; empty: one can
     std::string change;            // what the last repair or obstacles to a move changed; or empty
-    bool can_compare = false;      // whether the plan before the last repair is known
+    bool can_compare = false;      // whether the path is the result of a repair
+    std::string why_not_compare;   // why it cannot be compared with the one before; empty: it can
     bool can_read_again = false;   // whether the path is from a file
     int world = 0;                 // its coordinate system, index in motionWorlds()
     bool busy = false;             // a path is being read, repaired or made

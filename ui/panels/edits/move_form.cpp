@@ -128,7 +128,7 @@ MoveFormActions drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
     const planning::MoveKind* kind = planning::findMoveKind(draft.kind);
     MoveFormActions actions;
     if (kind == nullptr) {
-        draft.drawn.clear();
+        draft.drawn = false;
         return actions;
     }
     if (beginForm("move", 0.3F)) {
@@ -150,13 +150,16 @@ MoveFormActions drawMoveForm(const MoveFormView& view, MoveDraft& draft) {
     flowTo("Close");
     if (!actions.make && button("Close", "edits.move.close", {.tip = "Hide this form"}))
         draft.kind.clear();
-    // A form that opens below the visible part of the panel is brought into view.
-    if (std::exchange(draft.drawn, draft.kind) != draft.kind) ImGui::SetScrollHereY(1.0F);
     if (!view.note.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().text_dim);
         ImGui::TextWrapped("%s", view.note.c_str());
         ImGui::PopStyleColor();
         nameItem("edits.move.note", true);
+    }
+    // A form that opens below the visible part of the panel is brought into view.
+    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+    if (!std::exchange(draft.drawn, true) && ImGui::GetItemRectMax().y > bottom) {
+        ImGui::SetScrollHereY(1.0F);
     }
     return actions;
 }

@@ -14,7 +14,7 @@ struct MoveDraft {
     std::string kind;  // empty: none is chosen, and no form is shown
     /// By kind: the options that are set. The others are chosen to fit the scene.
     std::map<std::string, planning::MoveOptions> options;
-    std::string drawn = {};  // the kind whose form was drawn last
+    bool drawn = false;  // whether a form was drawn in the last window frame
 
     /// The request that the form describes, without an object.
     [[nodiscard]] planning::MoveRequest request() const;

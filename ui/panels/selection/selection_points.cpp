@@ -200,7 +200,7 @@ void drawPositionPoint(const SelectionView& view, SelectionActions& actions) {
                        handle.pin != nullptr ? "\u25a0 pinned"
                        : point.fixed         ? "fixed by a region or an anchor"
                        : point.room_view     ? "a room view: many objects at once"
-                       : point.surface_view  ? "a view of surface"
+                       : point.surface_view  ? "a view that covers surface"
                                              : "found by the search");
     if (beginForm("pose")) {
         drawPose(view, handle, actions.edit);

@@ -139,19 +139,23 @@ std::optional<std::string> CommandTable::runShortcuts(const KeySigns& signs) con
 }
 
 void CommandTable::drawMenuItems(std::string_view group) const {
-    std::string open;  // submenu of the last command, "" if there is none or it is closed
-    std::string last;
+    std::string last;   // submenu of the last command; empty: none
+    bool open = false;  // whether that is drawn
+    const auto end = [&] {
+        if (open) ImGui::EndMenu();
+        open = false;
+        if (!last.empty()) nameItem("menu." + last);
+    };
     for (const Command& command : commands_) {
         if (command.group != group) continue;
         if (command.submenu != last) {
-            if (!open.empty()) ImGui::EndMenu();
+            end();
             last = command.submenu;
-            open = !last.empty() && ImGui::BeginMenu(last.c_str()) ? last : "";
-            if (!last.empty()) nameItem("menu." + last);
+            open = !last.empty() && ImGui::BeginMenu(last.c_str());
         }
-        if (last.empty() || !open.empty()) drawMenuItem(command.id);
+        if (last.empty() || open) drawMenuItem(command.id);
     }
-    if (!open.empty()) ImGui::EndMenu();
+    end();
 }
 
 void CommandTable::drawMenuItem(std::string_view id) const {
