@@ -43,11 +43,17 @@ class Clip(FolderCase):
         self.assertIn("keep_frame_rate=true keeps the rate", message)
 
     def test_what_lowered_the_rate_is_named(self):
-        done, trajectory = self.plan("--max-frames", 600, "--set", "max_repeat_rate=0.2")
+        done, trajectory = self.plan("--max-frames", 600, "--set", "max_repeat_rate=0.4")
         frames = len(trajectory["frames"])
         self.assertLess(frames, 600)
-        self.assertIn(f"({frames} frames) for max_repeat_rate=0.2, although max_frames=600 allows more",
+        self.assertIn(f"({frames} frames) for max_repeat_rate=0.4, although max_frames=600 allows more",
                       " ".join(done.stderr.split()))
+
+    def test_a_limit_of_repeats_that_no_rate_meets_lowers_nothing(self):
+        done, limited = self.plan("--max-frames", 600, "--set", "max_repeat_rate=0")
+        self.assertNotIn("lowered", done.stderr)
+        _, free = self.plan("--max-frames", 600, "--set", "max_repeat_rate=1")
+        self.assertEqual(limited["frames"], free["frames"])
 
     def test_a_kept_rate_is_kept_and_nothing_is_said(self):
         done, trajectory = self.plan("--fps", 30, "--max-frames", 240)
