@@ -16,6 +16,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace dollytrack::cli {
 
@@ -141,12 +142,9 @@ void warnOfMotion(const Plan& plan, const planning::Pipeline& pipeline, const Sc
                                           collisionsText(plan, pipeline, scene,
                                                          params.camera.camera_radius_m)));
     }
-    std::string names;
-    for (const std::string& name : planning::withoutEffectOnMotion(params)) {
-        names += (names.empty() ? "" : ", ") + name;
-    }
+    const std::vector<std::string> names = planning::withoutEffectOnMotion(params);
     if (names.empty()) return;
-    log::warn("planning", "not applied to the given camera motion: " + names);
+    log::warn("planning", "not applied to the given camera motion: " + listOf(names, names.size()));
 }
 
 /// The user setting that leaves no free space; empty if some is free.

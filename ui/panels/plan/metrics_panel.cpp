@@ -79,8 +79,8 @@ void drawSurface(const SurfaceShare& surface) {
     row("Surface covered",
         fmt::format("{:.1f} % of {:.1f} % possible", 100.0 * surface.rateOf(surface.covered),
                     100.0 * surface.rateOf(surface.coverable)),
-        "Share seen from as many directions, and with pixels as small, as the parameters of "
-        "coverage ask for");
+        "Share seen from enough directions and with small enough pixels, as the parameters "
+        "surface directions and surface mm define");
 }
 
 void drawTrajectory(const Plan& plan, bool measured) {
