@@ -10,6 +10,18 @@
 
 namespace dollytrack::planning {
 
+std::vector<std::pair<std::string, std::string>> changedFields(PlanParams a, PlanParams b) {
+    const FieldList fields_a = listFields(a);
+    const FieldList fields_b = listFields(b);
+    std::vector<std::pair<std::string, std::string>> changed;
+    for (std::size_t i = 0; i < fields_a.size(); ++i) {
+        std::string value = fields_b[i].valueText();
+        if (fields_a[i].valueText() == value) continue;
+        changed.emplace_back(fields_b[i].name, std::move(value));
+    }
+    return changed;
+}
+
 FieldList listFields(PlanParams& params) {
     FieldCollector collector;
     visitPlanParams(
@@ -109,7 +121,7 @@ Status validate(const PlanParams& params) {
 }
 
 // This list and the next function name the same sections.
-bool isOfImages(std::string_view section) {
+bool affectsOnlyImages(std::string_view section) {
     constexpr std::array<std::string_view, 5> kSections = {"imu", "stereo", "picture", "light",
                                                            "sensor"};
     return std::ranges::find(kSections, section) != kSections.end();

@@ -9,6 +9,9 @@
 #include "planning/free_space_params.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::planning {
 
@@ -216,7 +219,7 @@ struct TimingParams {
     double max_turn_acceleration_dps2 = 0.0;
     double max_image_motion_dps = 0.0;
     int max_frames = 0;
-    double max_repeat_rate = 0.2;
+    double max_repeat_rate = 1.0;
     bool operator==(const TimingParams&) const = default;
 };
 
@@ -225,7 +228,7 @@ void visitTimingParams(Params& p, Visitor&& visit) {
     visit("frame_rate", p.frame_rate, FieldInfo{0.1, 1000, "1/s", "Frames per second"});
     visit("keep_frame_rate", p.keep_frame_rate,
           SwitchInfo{"With a budget of frames: keep the frame rate and visit fewer objects instead "
-                     "of lowering the rate"});
+                     "of leaving out frames"});
     visit("duration_s", p.duration_s,
           FieldInfo{0, 1e5, "s",
                     "Duration of the trajectory as a clip at a fixed frame_rate: it visits as many "
@@ -251,18 +254,18 @@ void visitTimingParams(Params& p, Visitor&& visit) {
                     "image faster than this, averaged between two views; 0: the preset's limit, if "
                     "any"}
               .onlyWith("heading=free"));
-    visit("max_frames", p.max_frames,
-          FieldInfo{
-              0, 1e6, "",
-              "Largest number of frames. The frame rate is lowered to meet it, and the frames are "
-              "spread over all views, so that the camera moves more slowly; where the rate is "
-              "fixed, fewer objects are visited. 0: no limit"});
+    visit(
+        "max_frames", p.max_frames,
+        FieldInfo{
+            0, 1e6, "",
+            "Largest number of frames. The motion does not change; frames between views are left "
+            "out, mostly where few objects are in view. Spare frames are used for room views. With "
+            "a fixed frame rate, fewer objects are visited. 0: no limit"});
     visit("max_repeat_rate", p.max_repeat_rate,
           FieldInfo{
               0, 1, "",
-              "Lowers the frame rate until at most this share of frames shows nothing new. Without "
-              "effect where no frame rate achieves that, as in small rooms, whose views overlap; "
-              "1: any share"}
+              "Leaves out frames that show nothing new until they are at most this share of all. "
+              "Without effect where the views of objects and rooms alone repeat more; 1: any share"}
               .onlyWith("max_frames>0"));
 }
 
@@ -488,9 +491,9 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
 }
 
 /// Whether the parameters of a section affect only the images and files of an export, not the plan.
-[[nodiscard]] bool isOfImages(std::string_view section);
+[[nodiscard]] bool affectsOnlyImages(std::string_view section);
 
-/// Returns the parameters with those of images at their defaults; see isOfImages().
+/// Returns the parameters with those of images at their defaults; see affectsOnlyImages().
 [[nodiscard]] PlanParams onlyOfThePlan(PlanParams params);
 
 /// Whether both give the same plan. They may differ in the parameters of images.
@@ -535,5 +538,9 @@ Status setParameter(nlohmann::json& sections, const std::string& name, const nlo
 
 /// All fields of `params`, for project files, `--set` and widgets. The list points into `params`.
 FieldList listFields(PlanParams& params);
+
+/// The fields with different values, by name, with their values in `b` as text.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> changedFields(PlanParams a,
+                                                                             PlanParams b);
 
 }  // namespace dollytrack::planning

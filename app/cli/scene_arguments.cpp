@@ -56,7 +56,7 @@ void warnOfArgumentsWithoutEffect(const SceneArguments& arguments, planning::Pla
     for (const std::string& assignment : arguments.assignments) {
         const std::string name = assignment.substr(0, assignment.find('='));
         const auto field = std::ranges::find(fields, name, &Field::name);
-        if (field == fields.end() || planning::isOfImages(field->section)) continue;
+        if (field == fields.end() || planning::affectsOnlyImages(field->section)) continue;
         const std::string message = noEffectMessage(fields, *field);
         if (!message.empty()) log::warn("plan", message);
     }
@@ -234,17 +234,7 @@ void warnOfTextures(const ImportReport& report) {
 /// The planning parameters that differ, by name, with their values in `other`.
 std::vector<std::pair<std::string, std::string>> changedValues(const planning::PlanParams& one,
                                                                const planning::PlanParams& other) {
-    planning::PlanParams a = planning::onlyOfThePlan(one);
-    planning::PlanParams b = planning::onlyOfThePlan(other);
-    const FieldList fields_a = planning::listFields(a);
-    const FieldList fields_b = planning::listFields(b);
-    std::vector<std::pair<std::string, std::string>> changed;
-    for (std::size_t i = 0; i < fields_a.size(); ++i) {
-        std::string value = fields_b[i].valueText();
-        if (fields_a[i].valueText() == value) continue;
-        changed.emplace_back(fields_b[i].name, std::move(value));
-    }
-    return changed;
+    return planning::changedFields(planning::onlyOfThePlan(one), planning::onlyOfThePlan(other));
 }
 
 /// How to plan with changed parameters at once, as the end of a message.

@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace dollytrack::editor {
@@ -117,6 +118,8 @@ void Editor::refreshScene() {
         read_motions_.clear();
         repaired_motion_ = {};
         before_repair_.reset();
+        saved_path_.clear();
+        current_time_s_ = 0.0;
         made_motion_ = {};
         recorded_key_.reset();
         questions_.forgetProject();
@@ -135,6 +138,7 @@ void Editor::refreshScene() {
     if (plan_timeline_.follow(shown.scene.get(), shown.rays.get(), shown.plan,
                               shown.params.camera.camera_radius_m)) {
         playback_.setFrameCount(frameCount());
+        keepCurrentTime();
         if (plan() != nullptr && stored_frame_) goToFrame(*std::exchange(stored_frame_, {}));
         goToRecordedKey();
         if (plan() != nullptr) {
@@ -172,12 +176,37 @@ void Editor::noteOpening() {
     textures_note_ = missing > 0 && !settings_.hasSeen(missing_textures_note_);
 }
 
+void Editor::keepCurrentTime() {
+    if (plan() == nullptr || frameCount() == 0) return;
+    const std::vector<TrajectoryFrame>& frames = plan()->trajectory.frames;
+    const auto nearest = std::ranges::min_element(frames, {}, [&](const TrajectoryFrame& frame) {
+        return std::abs(frame.time_s - current_time_s_);
+    });
+    playback_.goTo(static_cast<int>(nearest - frames.begin()));
+}
+
+double Editor::secondsToNextFrame() const {
+    if (plan() == nullptr) return 1.0;
+    const Trajectory& trajectory = plan()->trajectory;
+    const auto next = static_cast<std::size_t>(playback_.frame()) + 1;
+    if (next >= trajectory.frames.size()) return trajectory.frame_interval_s;
+    const double seconds = trajectory.frames[next].time_s - trajectory.frames[next - 1].time_s;
+    return seconds > 0.0 ? seconds : trajectory.frame_interval_s;
+}
+
 void Editor::play() {
     if (!playback_.playing()) return;
-    const double interval_s = plan() != nullptr ? plan()->trajectory.frame_interval_s : 1.0;
-    const double frames_per_s = panels_.timeline.speed / interval_s;
-    playback_.advance(ImGui::GetIO().DeltaTime * frames_per_s, panels_.timeline.loop);
-    if (playback_.playing()) window_.drawAfter(playback_.untilNext() / frames_per_s);
+    double seconds = ImGui::GetIO().DeltaTime * panels_.timeline.speed;
+    while (seconds > 0.0 && playback_.playing()) {
+        constexpr double kShortest_s = 1e-3;  // of a damaged plan
+        const double step_s = std::max(secondsToNextFrame(), kShortest_s);
+        const double frames = std::min(seconds / step_s, playback_.untilNext());
+        playback_.advance(frames, panels_.timeline.loop);
+        seconds -= frames * step_s;
+    }
+    if (playback_.playing()) {
+        window_.drawAfter(playback_.untilNext() * secondsToNextFrame() / panels_.timeline.speed);
+    }
 }
 
 bool Editor::frame() {
@@ -198,6 +227,9 @@ bool Editor::frame() {
     followMoveForm();
     followComparison();
     play();
+    if (plan() != nullptr && frameCount() > 0) {
+        current_time_s_ = plan()->trajectory.frames[playback_.frame()].time_s;
+    }
     followTracks();
     dropOutdatedKeySelection();
     // Keys belong to an open menu or popup: Escape closes it (already handled) and must do nothing

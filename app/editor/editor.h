@@ -89,6 +89,11 @@ class Editor {
     void rememberSettings();
     void setTheme();
     void play();
+    /// Duration of the frame at the playhead.
+    /// Goes to the frame of a new plan nearest to the time of the playhead, as its frames may have
+    /// other numbers.
+    void keepCurrentTime();
+    [[nodiscard]] double secondsToNextFrame() const;
     /// Whether a dialog is open, which then has the keyboard.
     [[nodiscard]] bool dialogIsOpen() const;
 
@@ -185,6 +190,7 @@ class Editor {
     [[nodiscard]] std::optional<ui::GizmoView> gizmoView();
     void drawBars();
     void drawImportBar();
+    void drawSavedPathBar();
     void drawTextureBar();
     void requestPicture();
     void requestPreview();
@@ -472,10 +478,12 @@ class Editor {
     };
     // Camera paths read from files, and their repairs; undo and redo return to them.
     std::vector<ReadMotion> read_motions_;
-    SharedMotion repaired_motion_;                 // result of the last repair
-    std::optional<KeptPlan> before_repair_;        // the plan before that repair
-    std::string motion_change_;                    // what that repair changed
+    SharedMotion repaired_motion_;           // result of the last repair
+    std::optional<KeptPlan> before_repair_;  // the plan before that repair
+    std::filesystem::path saved_path_;       // file of the camera path saved last, until hidden
+    std::string motion_change_;              // what that repair changed
     std::weak_ptr<const Scene> scene_of_letters_;  // see loadLettersOf()
+    double current_time_s_ = 0.0;                  // of the current frame
     std::optional<int> stored_frame_;       // stored frame of a project whose plan is awaited
     std::optional<double> recorded_key_s_;  // time of a key that the playhead shall move to
     SharedMotion made_motion_;              // result of the last camera move

@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dollytrack::editor {
 
@@ -82,6 +83,57 @@ void Editor::addFileCommands() {
                        {},
                        "Upward axis"});
     }
+    struct LengthUnit {
+        const char* id;
+        const char* name;
+        double unit_m;
+    };
+    static constexpr LengthUnit kUnits[] = {{"mm", "millimetres", 0.001},
+                                            {"cm", "centimetres", 0.01},
+                                            {"inch", "inches", 0.0254},
+                                            {"foot", "feet", 0.3048},
+                                            {"m", "metres", 1.0}};
+    for (const LengthUnit& unit : kUnits) {
+        commands_.add({std::string("file.unit.") + unit.id,
+                       "File",
+                       std::string("Read the scene in ") + unit.name,
+                       {},
+                       [this, unit_m = unit.unit_m] {
+                           nlohmann::json import = workspace_.importSettings();
+                           import["unit_m"] = unit_m;
+                           workspace_.readAgain(import);
+                       },
+                       needs_project,
+                       [this, unit_m = unit.unit_m] {
+                           constexpr double kSame = 1e-3;
+                           return workspace_.isOpen() &&
+                                  std::abs(workspace_.importReport().unit_m / unit_m - 1.0) < kSame;
+                       },
+                       {},
+                       "Unit of length"});
+    }
+    commands_.add({"file.keep_meshes",
+                   "File",
+                   "Keep the file's meshes as objects",
+                   {},
+                   [this] {
+                       nlohmann::json import = workspace_.importSettings();
+                       const bool kept = !import.value("regroup", true);
+                       import.erase("regroup");
+                       if (!kept) import["regroup"] = false;
+                       workspace_.readAgain(import);
+                   },
+                   needs_project,
+                   [this] {
+                       return workspace_.isOpen() &&
+                              !workspace_.importSettings().value("regroup", true);
+                   }});
+    commands_.add({"file.models",
+                   "File",
+                   "Add a folder of models…",
+                   {},
+                   [this] { askForFile("models"); },
+                   needs_project});
     commands_.add({"file.labels",
                    "File",
                    "Use a label file…",

@@ -1,5 +1,7 @@
 #include "app/editor/editor.h"
 
+#include <algorithm>
+
 #include "engine/core/log.h"
 #include "engine/io/files/durable_file.h"
 #include "engine/io/format_table/scene_format.h"
@@ -81,6 +83,10 @@ void Editor::askForFile(const std::string& id) {
         request.title = "Compare with the plan of another project of this scene";
         request.accept = "Compare";
         request.filters = {{"Projects", {".dolly"}}};
+    } else if (id == "models") {
+        request.purpose = ui::FileRequest::Purpose::ChooseFolder;
+        request.title = "Folder of models that the scene file names";
+        request.accept = "Add";
     } else if (id == "export folder") {
         request.purpose = ui::FileRequest::Purpose::ChooseFolder;
         request.title = "Folder for the dataset";
@@ -124,12 +130,22 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
         nlohmann::json import = workspace_.importSettings();
         import["labels"] = answer.path.string();
         workspace_.readAgain(import);
+    } else if (answer.id == "models") {
+        nlohmann::json import = workspace_.importSettings();
+        nlohmann::json& folders = import["model_folders"];
+        if (!folders.is_array()) folders = nlohmann::json::array();
+        const std::string folder = answer.path.string();
+        if (std::find(folders.begin(), folders.end(), folder) == folders.end()) {
+            folders.push_back(folder);
+        }
+        workspace_.readAgain(import);
     } else if (answer.id == "camera path") {
         readMotion({answer.path, {}});
     } else if (answer.id == "poses") {
         if (plan() == nullptr) return;
         const Status written = writeWhole(answer.path, tumText(plan()->trajectory));
         if (written) {
+            saved_path_ = answer.path;
             log::info("editor", "saved the camera path as " + answer.path.string());
         } else {
             questions_.tell({true, "Cannot save the camera path", describe(written.error()), {}});

@@ -138,7 +138,6 @@ ui::MotionView Editor::motionView() {
     view.why_no_replacing = whyNoReplacing();
     if (motion && motion == repaired_motion_) {
         view.change = motion_change_;
-        view.can_compare = true;
         view.why_not_compare =
             before_repair_ ? "" : "The path was repaired before its plan was ready.";
     }

@@ -14,6 +14,7 @@
 #include "ui/panels/scene/layers_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
+#include "ui/widgets/fields/field_editor.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
@@ -150,8 +151,9 @@ void Editor::drawEdits() {
 void Editor::setParameter(const std::string& name) {
     FieldList& fields = parameters_.fields();
     const auto field = std::ranges::find(fields, name, &Field::name);
-    workspace_.setParameters(toJson(fields), fmt::format("Set {} to {}", name, field->valueText()),
-                             "set " + name);
+    workspace_.setParameters(
+        toJson(fields), fmt::format("Set {} to {}", ui::readableName(*field), field->valueText()),
+        "set " + name);
 }
 
 std::map<std::string, std::string, std::less<>> Editor::parameterNotes() {
@@ -171,12 +173,14 @@ std::map<std::string, std::string, std::less<>> Editor::parameterNotes() {
     }
     if (!workspace_.planIsCurrent() || plan() == nullptr) return notes;
     const std::string_view reason =
-        planning::whatLoweredTheFrameRate(plan()->trajectory, shown.params.timing);
+        planning::whyFramesWereLeftOut(plan()->trajectory, shown.params.timing);
     if (!reason.empty()) {
-        notes["max_frames"] =
-            fmt::format("{} frames at {:.3g}/s{}. For a fixed rate, check keep frame rate.",
-                        frameCount(), 1.0 / plan()->trajectory.frame_interval_s,
-                        reason == "max_repeat_rate" ? "; more would exceed max repeat rate" : "");
+        notes["max_frames"] = fmt::format(
+            "{} of {} frames are kept, {:.3g}/s on average{}. With keep frame rate none is left "
+            "out, but fewer objects are visited.",
+            frameCount(), frameCount() + plan()->trajectory.left_out.size(),
+            planning::meanFrameRate(plan()->trajectory),
+            reason == "max_repeat_rate" ? "; more would exceed max repeat rate" : "");
     }
     return notes;
 }
@@ -281,7 +285,7 @@ void Editor::drawTimeline() {
         view.max_turn_dps = limits.turn_rps * 180.0 / std::numbers::pi;
         view.object_name = [this](int id) { return workspace_.shown().scene->object(id).name; };
         if (const KeptPlan* kept = comparison_.kept()) {
-            view.kept_s = planning::durationOf(*kept->trajectory);
+            view.kept_s = durationOf(*kept->trajectory);
             view.kept_text =
                 fmt::format("{} frames, {:.1f} s", kept->trajectory->frames.size(), view.kept_s);
         }
@@ -381,7 +385,7 @@ void Editor::drawPlanStatus(const Plan& plan) {
     const auto& frames = plan.trajectory.frames;
     const auto keys =
         std::ranges::count_if(frames, [](const auto& frame) { return frame.position_point >= 0; });
-    const double seconds = frames.empty() ? 0.0 : frames.back().time_s - frames.front().time_s;
+    const double seconds = durationOf(plan.trajectory);
     ImGui::Text("%s in %s, %d of %d targets captured",
                 counted(frames.size(), "frame", "frames").c_str(),
                 ui::durationText(seconds).c_str(), capture.captured, capture.objects);

@@ -199,7 +199,12 @@ nlohmann::json Editor::viewToStore() const {
               {"distance", camera.distance},
               {"orthographic", camera.orthographic ? 1 : 0}}},
             {"frame", stored_frame_.value_or(playback_.frame())},
-            {"hidden", numbersOf(selected_.hidden())}};
+            {"hidden", numbersOf(selected_.hidden())},
+            {"export",
+             {{"folder", panels_.export_draft.folder},
+              {"first", panels_.export_draft.first},
+              {"last", panels_.export_draft.last},
+              {"step", panels_.export_draft.step}}}};
 }
 
 void Editor::restoreView() {
@@ -228,6 +233,17 @@ void Editor::restoreView() {
         log::warn("project",
                   "the stored view is damaged and is not used: " + describe(read.error()));
         return;
+    }
+    Status export_read;
+    const JsonReader stored_export =
+        JsonReader(workspace_.storedView(), "view", export_read).at("export");
+    if (!stored_export.absent()) {
+        ui::ExportDraft draft = panels_.export_draft;
+        draft.folder = stored_export.at("folder").text();
+        draft.first = stored_export.at("first").integer(0, kMostNumbers);
+        draft.last = stored_export.at("last").integer(-1, kMostNumbers);
+        draft.step = stored_export.at("step").integer(1, kMostNumbers);
+        if (export_read) panels_.export_draft = draft;
     }
     selected_.hideStored(hidden);
     stored_frame_ = frame;

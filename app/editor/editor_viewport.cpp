@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace dollytrack::editor {
 
@@ -366,24 +367,29 @@ void Editor::drawImportBar() {
         const int pressed = ui::drawNoteBar(
             "import_changed",
             "The scene was read again with " + importText(workspace_.importReport()) + ".",
-            {{"Undo", "Read it as before"}, {"Keep", "Hide this line"}});
+            {{"Undo", "Read it as before"}, {"Keep", "Hide this message"}});
         if (pressed == 0) workspace_.takeBackImport();
         if (pressed == 1) import_bar_dismissed_ = true;
         return;
     }
     const ImportProposal& proposal = workspace_.proposal();
-    if (!proposal.hasSettings()) return;
+    if (proposal.isEmpty()) return;
     const std::string& up = proposal.up_doubt;
     const std::string& unit = proposal.unit_doubt;
-    const int pressed =
-        ui::drawNoteBar("import_doubt", up + (up.empty() || unit.empty() ? "" : "; ") + unit,
-                        {{"Read with " + settingsText(proposal),
-                          "Reload the scene file with this setting; can be undone"},
-                         {"Keep",
-                          "Keep the settings in use, and do not ask again: they are stored "
-                          "in the project"}});
-    if (pressed == 0) workspace_.applyProposal();
-    if (pressed != 1) return;
+    std::string text = up + (up.empty() || unit.empty() ? "" : "; ") + unit;
+    std::vector<ui::NoteBarButton> buttons;
+    if (proposal.hasSettings()) {
+        buttons.push_back({"Read with " + settingsText(proposal),
+                           "Reload the scene file with this setting; can be undone"});
+    } else {
+        text += "; if it is wrong, choose another in the menu File > Unit of length";
+    }
+    buttons.push_back({"Keep",
+                       "Keep the settings in use, and do not ask again: they are stored in the "
+                       "project"});
+    const int pressed = ui::drawNoteBar("import_doubt", text, buttons);
+    if (pressed < 0) return;
+    if (pressed == 0 && proposal.hasSettings()) return workspace_.applyProposal();
     import_bar_dismissed_ = true;
     settings_.addSeen(kImportKept + workspace_.sceneFile().string());
     workspace_.keepImport();
@@ -395,7 +401,7 @@ void Editor::drawTextureBar() {
     const std::string count = counted(missing.size(), "texture is missing", "textures are missing");
     const int pressed = ui::drawNoteBar(
         "textures_missing", count + "; those surfaces have a plain colour.",
-        {{"Details\u2026", "Name the missing textures"}, {"Hide", "Hide this line"}});
+        {{"Details\u2026", "Name the missing textures"}, {"Hide", "Hide this message"}});
     if (pressed == 1) {
         textures_note_ = false;
         settings_.addSeen(missing_textures_note_);
@@ -410,8 +416,17 @@ void Editor::drawTextureBar() {
     questions_.tell({false, count, text + "Put them beside the scene file and open it again.", {}});
 }
 
+void Editor::drawSavedPathBar() {
+    if (saved_path_.empty()) return;
+    const int pressed =
+        ui::drawNoteBar("path_saved", "The camera path was saved as " + saved_path_.string(),
+                        {{"Hide", "Hide this message"}});
+    if (pressed == 0) saved_path_.clear();
+}
+
 void Editor::drawBars() {
     drawImportBar();
+    drawSavedPathBar();
     drawKeyBar();
     drawTextureBar();
     if (!workspace_.fileChanged()) return;

@@ -6,17 +6,19 @@
 namespace dollytrack {
 
 CameraMotion::CameraMotion(const Trajectory& trajectory) {
-    const std::vector<TrajectoryFrame>& frames = trajectory.frames;
-    for (std::size_t begin = 0; begin < frames.size();) {
+    const std::vector<std::size_t> order = motionOrder(trajectory);
+    const std::vector<TrajectoryFrame> all = motionFrames(trajectory);
+    for (std::size_t begin = 0; begin < all.size();) {
         std::size_t end = begin + 1;
-        while (end < frames.size() && frames[end].path == frames[begin].path &&
-               frames[end].time_s > frames[end - 1].time_s) {
+        while (end < all.size() && all[end].path == all[begin].path &&
+               all[end].time_s > all[end - 1].time_s) {
             ++end;
         }
         const bool moves = end - begin > 1;
-        if (moves) paths_.emplace_back(std::span(frames).subspan(begin, end - begin));
+        if (moves) paths_.emplace_back(std::span(all).subspan(begin, end - begin));
         for (; begin < end; ++begin) {
-            frames_.push_back({frames[begin], moves ? static_cast<int>(paths_.size()) - 1 : -1});
+            if (order[begin] >= trajectory.frames.size()) continue;
+            frames_.push_back({all[begin], moves ? static_cast<int>(paths_.size()) - 1 : -1});
         }
     }
 }

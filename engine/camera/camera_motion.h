@@ -7,8 +7,9 @@
 namespace dollytrack {
 
 /// Where a camera is between the frames of its trajectory: on one spline (pose_spline.h) for each
-/// continuous path, which motion blur and inertial measurements have in common. Before a path's
-/// first frame and after its last it goes straight on. Const, many threads.
+/// continuous path, which motion blur and inertial measurements have in common. It passes the
+/// frames left out, too. Before a path's first frame and after its last it goes straight on. Const,
+/// many threads.
 class CameraMotion {
   public:
     CameraMotion() = default;

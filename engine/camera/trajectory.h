@@ -3,6 +3,7 @@
 #include "engine/math/pose.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace dollytrack {
@@ -18,23 +19,37 @@ struct TrajectoryFrame {
     int position_point = -1;  // index into Plan::position_points when it stands on a key frame
 };
 
-/// Frames at a fixed rate, except where some were left out: the times tell. Where `path` changes
-/// from one frame to the next the camera was carried over: there is no motion between the two.
+/// Frames at a fixed rate. With a budget some are left out, so that steps of `time_s` differ; times
+/// never decrease. Where `path` changes from one frame to the next, there is no motion
+/// between the two.
 struct Trajectory {
-    double frame_interval_s = 0.1;
+    double frame_interval_s = 0.1;  // before frames were left out
     std::vector<TrajectoryFrame> frames;
+    std::vector<TrajectoryFrame> left_out = {};  // by time; on the way of the camera, but no images
 };
+
+/// Time from the first frame to the end of the last one, s.
+[[nodiscard]] double durationOf(const Trajectory& trajectory);
+
+/// The median time from one frame to the next on the same path, s; none without such frames.
+[[nodiscard]] std::optional<double> medianStep_s(const std::vector<TrajectoryFrame>& frames);
+
+/// All frames of the motion in order of time, as indices: those from frames.size() on are of
+/// `left_out`.
+[[nodiscard]] std::vector<std::size_t> motionOrder(const Trajectory& trajectory);
+
+/// The frame with an index of motionOrder().
+[[nodiscard]] const TrajectoryFrame& motionFrame(const Trajectory& trajectory, std::size_t index);
+
+/// All frames of the motion, in order of time.
+[[nodiscard]] std::vector<TrajectoryFrame> motionFrames(const Trajectory& trajectory);
+
+/// Moves the frames whose `keep` is 0 to `left_out`; `keep` has one entry for each frame.
+[[nodiscard]] Trajectory keepOnly(const Trajectory& trajectory, const std::vector<char>& keep);
 
 /// Whether frame `i` belongs to the same path as the frame before; frames may be left out between.
 [[nodiscard]] inline bool continuesPath(const Trajectory& trajectory, std::size_t i) {
     return i > 0 && trajectory.frames[i].path == trajectory.frames[i - 1].path;
-}
-
-/// Whether the camera moved on to frame `i` from the frame before within one frame interval.
-[[nodiscard]] inline bool followsOn(const Trajectory& trajectory, std::size_t i) {
-    if (!continuesPath(trajectory, i)) return false;
-    return trajectory.frames[i].time_s - trajectory.frames[i - 1].time_s <
-           1.5 * trajectory.frame_interval_s;
 }
 
 }  // namespace dollytrack

@@ -188,8 +188,8 @@ GivenMotion readMotion(const JsonReader& from) {
     if (const JsonReader name = from.at("name"); !name.absent()) motion.name = name.text();
     if (const JsonReader interval = from.at("frame_interval_s"); !interval.absent()) {
         motion.frame_interval_s = anyNumber(interval);
-    } else if (motion.frames.size() > 1) {
-        motion.frame_interval_s = motion.frames[1].time_s - motion.frames[0].time_s;
+    } else if (const auto step_s = medianStep_s(trajectoryOf(motion).frames)) {
+        motion.frame_interval_s = *step_s;
     }
     if (!from.good()) return motion;
     if (const auto fault = findFault(motion)) {

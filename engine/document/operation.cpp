@@ -174,7 +174,7 @@ std::vector<OperationInfo> trajectoryOperations() {
            "in TUM files; after a jump of the camera, a ninth number differs: the path"},
           {"keys", "list", false,
            "instead of frames: [time_s, x, y, z, qx, qy, qz, qw] of each key frame"},
-          {"frame_interval_s", "number", false, "s; default: between the first two frames"},
+          {"frame_interval_s", "number", false, "s; default: the median step"},
           {"name", "text", false, "name shown in lists"}}},
         {"trim_motion",
          trimMotion,

@@ -52,7 +52,7 @@ struct SmoothPath {
         Eigen::Vector3d looks_at = Eigen::Vector3d::Zero();  // world; without a position point
         // Of the way from the key before:
         double image_motion_rad = 0.0;  // 0: not measured
-        double slowdown = 1.0;          // takes so many times as long as the limits of motion ask
+        double frame_weight = 1.0;      // relative number of frames per second under a budget
     };
     int component = 0;
     std::vector<Piece> pieces;

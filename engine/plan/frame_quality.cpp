@@ -71,7 +71,7 @@ std::string frameTable(const Trajectory& trajectory, const FrameSeries& series,
         const TrajectoryFrame& frame = trajectory.frames[i];
         fmt::format_to(std::back_inserter(text), "{},{:.9g},{},{},{:.6g},", i, frame.time_s,
                        frame.path, frame.position_point >= 0 ? 1 : 0, series.clearance_m[i]);
-        if (followsOn(trajectory, i)) {
+        if (continuesPath(trajectory, i)) {
             fmt::format_to(std::back_inserter(text), "{:.6g},{:.6g},", series.speed_mps[i],
                            series.turn_dps[i]);
         } else {

@@ -13,11 +13,12 @@ namespace {
 void measureMotion(const Trajectory& trajectory, FrameSeries& series) {
     const auto& frames = trajectory.frames;
     for (std::size_t i = 1; i < frames.size(); ++i) {
-        if (!followsOn(trajectory, i) || trajectory.frame_interval_s <= 0.0) continue;
+        const double step_s = frames[i].time_s - frames[i - 1].time_s;
+        if (!continuesPath(trajectory, i) || step_s <= 0.0) continue;
         const double step = (frames[i].pose.position - frames[i - 1].pose.position).norm();
         const double turn = angleBetween(frames[i].pose.rotation, frames[i - 1].pose.rotation);
-        series.speed_mps[i] = step / trajectory.frame_interval_s;
-        series.turn_dps[i] = turn * 180.0 / std::numbers::pi / trajectory.frame_interval_s;
+        series.speed_mps[i] = step / step_s;
+        series.turn_dps[i] = turn * 180.0 / std::numbers::pi / step_s;
     }
 }
 

@@ -27,33 +27,50 @@ Eigen::Vector3d turnBetween(const Eigen::Quaterniond& from, const Eigen::Quatern
                       : Eigen::Vector3d::Zero();
 }
 
+/// Linear and angular velocity, or a derivative of them, at a time.
+struct Sample {
+    double time_s = 0.0;
+    Eigen::Vector3d linear;   // world
+    Eigen::Vector3d angular;  // in the camera's frame
+};
+
+/// The mean rate of change between two samples.
+Sample changeBetween(const Sample& a, const Sample& b) {
+    const double step_s = b.time_s - a.time_s;
+    return {0.5 * (a.time_s + b.time_s), (b.linear - a.linear) / step_s,
+            (b.angular - a.angular) / step_s};
+}
+
 }  // namespace
 
 MotionMetrics measureMotion(const Trajectory& trajectory) {
-    const auto& frames = trajectory.frames;
-    const double dt = trajectory.frame_interval_s;
-    if (dt <= 0.0) return {};
+    const std::vector<TrajectoryFrame> frames = motionFrames(trajectory);
     std::vector<double> speeds, turns, accelerations, turn_accelerations, jerks;
-    // Velocities and turning rates since the start of the current path.
-    std::vector<Eigen::Vector3d> velocities, rates;
+    // Of the current path. A difference of two values is the rate of change at the mean of their
+    // times.
+    std::vector<Sample> velocities, velocity_changes;
     for (std::size_t i = 1; i < frames.size(); ++i) {
-        if (!followsOn(trajectory, i)) {
+        const double step_s = frames[i].time_s - frames[i - 1].time_s;
+        if (frames[i].path != frames[i - 1].path || step_s <= 0.0) {
             velocities.clear();
-            rates.clear();
+            velocity_changes.clear();
             continue;
         }
-        velocities.emplace_back((frames[i].pose.position - frames[i - 1].pose.position) / dt);
-        rates.push_back(kDegrees / dt *
-                        turnBetween(frames[i - 1].pose.rotation, frames[i].pose.rotation));
-        speeds.push_back(velocities.back().norm());
-        turns.push_back(rates.back().norm());
-        const std::size_t n = velocities.size();
-        if (n < 2) continue;
-        accelerations.push_back((velocities[n - 1] - velocities[n - 2]).norm() / dt);
-        turn_accelerations.push_back((rates[n - 1] - rates[n - 2]).norm() / dt);
-        if (n < 3) continue;
-        jerks.push_back((velocities[n - 1] - 2.0 * velocities[n - 2] + velocities[n - 3]).norm() /
-                        (dt * dt));
+        Sample velocity;
+        velocity.time_s = 0.5 * (frames[i].time_s + frames[i - 1].time_s);
+        velocity.linear = (frames[i].pose.position - frames[i - 1].pose.position) / step_s;
+        velocity.angular =
+            kDegrees / step_s * turnBetween(frames[i - 1].pose.rotation, frames[i].pose.rotation);
+        speeds.push_back(velocity.linear.norm());
+        turns.push_back(velocity.angular.norm());
+        velocities.push_back(velocity);
+        if (velocities.size() < 2) continue;
+        velocity_changes.push_back(changeBetween(velocities.end()[-2], velocities.back()));
+        accelerations.push_back(velocity_changes.back().linear.norm());
+        turn_accelerations.push_back(velocity_changes.back().angular.norm());
+        if (velocity_changes.size() < 2) continue;
+        jerks.push_back(
+            changeBetween(velocity_changes.end()[-2], velocity_changes.back()).linear.norm());
     }
     return {spreadOf(std::move(speeds)), spreadOf(std::move(turns)),
             spreadOf(std::move(accelerations)), spreadOf(std::move(turn_accelerations)),

@@ -142,6 +142,7 @@ json motionJson(const Scene& scene, const Plan& plan) {
         {"path_length_m", motion.path_length_m},
         {"frames", plan.trajectory.frames.size()},
         {"frame_interval_s", plan.trajectory.frame_interval_s},
+        {"duration_s", durationOf(plan.trajectory)},
         {"key_frames", std::count_if(plan.trajectory.frames.begin(), plan.trajectory.frames.end(),
                                      [](const auto& frame) { return frame.position_point >= 0; })},
     };
@@ -244,26 +245,34 @@ void addBound(json& metrics, const CaptureBound& bound, double milliseconds) {
 }
 
 json trajectoryJson(const Trajectory& trajectory) {
-    json frames = json::array();
-    for (const TrajectoryFrame& frame : trajectory.frames) {
-        json one = poseJson(frame.pose);
-        one["time_s"] = frame.time_s;
-        one["target"] = vectorJson(frame.target_in_world);
-        one["component"] = frame.component;
-        one["path"] = frame.path;
-        one["position_point"] = frame.position_point;
-        frames.push_back(std::move(one));
-    }
-    return {{"frame_interval_s", trajectory.frame_interval_s}, {"frames", std::move(frames)}};
+    const auto listed = [](const std::vector<TrajectoryFrame>& frames) {
+        json list = json::array();
+        for (const TrajectoryFrame& frame : frames) {
+            json one = poseJson(frame.pose);
+            one["time_s"] = frame.time_s;
+            one["target"] = vectorJson(frame.target_in_world);
+            one["component"] = frame.component;
+            one["path"] = frame.path;
+            one["position_point"] = frame.position_point;
+            list.push_back(std::move(one));
+        }
+        return list;
+    };
+    json result = {{"frame_interval_s", trajectory.frame_interval_s},
+                   {"frames", listed(trajectory.frames)}};
+    if (!trajectory.left_out.empty()) result["left_out"] = listed(trajectory.left_out);
+    return result;
 }
 
 Result<Trajectory> trajectoryFromJson(const json& value) {
     Trajectory trajectory;
-    std::size_t index = 0;
-    try {
-        trajectory.frame_interval_s = value.at("frame_interval_s").get<double>();
-        for (const json& one : value.at("frames")) {
-            TrajectoryFrame frame;
+    constexpr double kLongestInterval_s = 1e5;
+    constexpr double kLatest_s = 1e7;
+    std::string where = "trajectory";
+    const auto readFrames = [&](const char* list, std::vector<TrajectoryFrame>& frames) {
+        for (const json& one : value.at(list)) {
+            where = fmt::format("trajectory {} {}", list, frames.size());
+            TrajectoryFrame& frame = frames.emplace_back();
             frame.time_s = one.at("time_s").get<double>();
             frame.pose.position = vectorFrom(one.at("position"));
             const json& q = one.at("quaternion_xyzw");
@@ -274,20 +283,34 @@ Result<Trajectory> trajectoryFromJson(const json& value) {
             frame.path = one.value("path", 0);
             frame.position_point = one.value("position_point", -1);
             const double norm = frame.pose.rotation.norm();
-            if (!frame.pose.position.allFinite() || !(std::abs(norm - 1.0) < 1e-3)) {
-                return fail(ErrorCode::BadInput,
-                            "The pose is not finite, or its quaternion does not have length 1.",
-                            fmt::format("trajectory frame {}", index));
+            const double last_s = frames.size() > 1 ? frames.end()[-2].time_s : -kLatest_s;
+            if (!frame.pose.position.allFinite() || !(std::abs(norm - 1.0) < 1e-3) ||
+                !(frame.time_s >= last_s && frame.time_s <= kLatest_s)) {
+                return false;
             }
             // Normalized only if necessary, so that poses written by Dollytrack keep their bits.
             if (std::abs(norm - 1.0) > 1e-9) frame.pose.rotation.normalize();
-            trajectory.frames.push_back(frame);
-            ++index;
+        }
+        return true;
+    };
+    try {
+        trajectory.frame_interval_s = value.at("frame_interval_s").get<double>();
+        if (!(trajectory.frame_interval_s > 0.0 &&
+              trajectory.frame_interval_s <= kLongestInterval_s)) {
+            return fail(ErrorCode::BadInput, "frame_interval_s is not above 0 and at most 1e5.",
+                        where);
+        }
+        if (!readFrames("frames", trajectory.frames) ||
+            (value.contains("left_out") && !readFrames("left_out", trajectory.left_out))) {
+            return fail(ErrorCode::BadInput,
+                        "The pose is not finite, its quaternion does not have length 1, or its "
+                        "time is before that of the previous frame or out of range.",
+                        where);
         }
     } catch (const json::exception& e) {
         return fail(ErrorCode::BadInput,
                     fmt::format("A field is missing or of the wrong type ({}).", plainReason(e)),
-                    fmt::format("trajectory frame {}", index));
+                    where);
     }
     return trajectory;
 }

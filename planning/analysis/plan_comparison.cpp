@@ -109,10 +109,4 @@ std::vector<ComparedMetric> comparePlans(const ComparablePlan& a, const Comparab
     return compared;
 }
 
-double durationOf(const Trajectory& trajectory) {
-    if (trajectory.frames.empty()) return 0.0;
-    return trajectory.frames.back().time_s - trajectory.frames.front().time_s +
-           trajectory.frame_interval_s;
-}
-
 }  // namespace dollytrack::planning

@@ -38,7 +38,4 @@ struct ComparedMetric {
 /// The metrics that at least one of the plans has, in a fixed order.
 std::vector<ComparedMetric> comparePlans(const ComparablePlan& a, const ComparablePlan& b);
 
-/// From the first frame to the end of the last, s.
-[[nodiscard]] double durationOf(const Trajectory& trajectory);
-
 }  // namespace dollytrack::planning

@@ -18,15 +18,18 @@ namespace {
 
 constexpr double kFineStep = 0.01;  // m; chords this short are within 0.1 mm of the curves
 
-/// The motion between frames, along each smoothed path and off it where the camera shakes.
+/// The motion between kept frames, along each smoothed path and off it where the camera shakes.
 std::vector<std::vector<Eigen::Vector3d>> waysAlong(const std::vector<SmoothPath>& paths,
                                                     const Trajectory& trajectory) {
-    const auto& frames = trajectory.frames;
-    std::vector<std::vector<Eigen::Vector3d>> between(frames.size());
-    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
-        const TrajectoryFrame& from = frames[i];
-        const TrajectoryFrame& to = frames[i + 1];
-        if (from.path != to.path) continue;
+    const std::size_t kept = trajectory.frames.size();
+    const std::vector<std::size_t> order = motionOrder(trajectory);
+    std::vector<std::vector<Eigen::Vector3d>> between(kept);
+    std::size_t i = 0;  // the last kept frame
+    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+        if (order[k] < kept) i = order[k];
+        const TrajectoryFrame& from = motionFrame(trajectory, order[k]);
+        const TrajectoryFrame& to = motionFrame(trajectory, order[k + 1]);
+        if (from.path != to.path || from.path != trajectory.frames[i].path) continue;
         for (const auto& piece : moveBetween(paths[from.path], from, to)) {
             const double longest =
                 (piece.control - piece.start).norm() + (piece.end - piece.control).norm();
@@ -35,7 +38,8 @@ std::vector<std::vector<Eigen::Vector3d>> waysAlong(const std::vector<SmoothPath
                 between[i].push_back(piece.at(static_cast<double>(j) / steps));
             }
         }
-        if (!between[i].empty()) between[i].pop_back();  // the next frame itself
+        // The next kept frame itself.
+        if (order[k + 1] < kept && !between[i].empty()) between[i].pop_back();
     }
     return between;
 }

@@ -4,6 +4,7 @@
 #include "engine/jobs/parallel.h"
 #include "engine/math/quantile.h"
 #include "engine/plan/frame_quality.h"
+#include "engine/plan/motion_metrics.h"
 #include "planning/collision/path_clearance.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
@@ -37,28 +38,19 @@ void measureMotion(const PlannedMotion& motion, const std::vector<double>& lengt
                    PlannerMetrics& result) {
     const auto& frames = motion.trajectory.frames;
     std::vector<double> speeds;
-    std::vector<double> turns;
-    std::vector<double> jerks;
-    const auto joined = [&](std::size_t from, std::size_t to) {
-        return to < frames.size() && frames[from].path == frames[to].path &&
-               frames[to].time_s > frames[from].time_s;
-    };
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        if (!joined(i, i + 1)) continue;
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
         const double seconds = frames[i + 1].time_s - frames[i].time_s;
-        const double turn = angleBetween(frames[i].pose.rotation, frames[i + 1].pose.rotation);
-        speeds.push_back(lengths[i] / seconds);
-        turns.push_back(turn * 180.0 / std::numbers::pi / seconds);
-        if (!joined(i, i + 3)) continue;
-        const double third = (frames[i + 3].time_s - frames[i].time_s) / 3.0;
-        const Eigen::Vector3d change = frames[i + 3].pose.position -
-                                       3.0 * frames[i + 2].pose.position +
-                                       3.0 * frames[i + 1].pose.position - frames[i].pose.position;
-        jerks.push_back(change.norm() / (third * third * third));
+        if (continuesPath(motion.trajectory, i + 1) && seconds > 0.0) {
+            speeds.push_back(lengths[i] / seconds);
+        }
     }
+    if (speeds.empty()) return;
     setMedianAndMax(std::move(speeds), result.speed_median_mps, result.speed_max_mps);
-    setMedianAndMax(std::move(turns), result.turn_median_dps, result.turn_max_dps);
-    setMedianAndMax(std::move(jerks), result.jerk_median_mps3, result.jerk_max_mps3);
+    const MotionMetrics all = dollytrack::measureMotion(motion.trajectory);
+    result.turn_median_dps = all.turn_dps.median;
+    result.turn_max_dps = all.turn_dps.max;
+    result.jerk_median_mps3 = all.jerk_mps3.median;
+    result.jerk_max_mps3 = all.jerk_mps3.max;
 }
 
 void measureCollisions(const MappedScene& scene, const PlannedMotion& motion, const JobContext& job,
@@ -122,7 +114,7 @@ Result<PlannerMetrics> measurePlannedMotion(const MappedScene& scene, const Plan
     result.trackable_rate = trackableRate(*corners);
     return measureShownSurface(*scene.views, motion.trajectory, job)
         .map([&](const ShownSurface& shown) {
-            result.repeat_rate = shown.repeat_rate;
+            result.repeat_rate = shown.repeatRate();
             result.object_pixels = shown.object_pixels;
             return result;
         });

@@ -31,9 +31,9 @@ constexpr int kMostBetweenKeys = 6;
 constexpr double kFramesPerView = 2.0;  // frames of the budget that each key needs
 constexpr double kLooksAhead_m = 2.0;
 constexpr int kPasses = 3;
-// Factors on the motion limits that give more frames of the budget to views of many objects.
-constexpr double kSlowdownAtMean = 4.0;
-constexpr double kMostSlowdown = 8.0;
+// Weights that give more frames of the budget to views of many objects.
+constexpr double kWeightAtMean = 4.0;
+constexpr double kMostWeight = 8.0;
 
 // Trackability: views with few corners cost extra time in the dynamic programming.
 constexpr double kEnoughCorners = 350.0;  // as estimated; ORB finds about 400
@@ -456,7 +456,7 @@ SmoothPath withContextViews(const SmoothPath& path,
         if (places[i].free && direct) continue;
         if (places[i].free) key.looks_at = key.position + kLooksAhead_m * directions[i];
         if (spreads) {
-            key.slowdown = std::clamp(kSlowdownAtMean * shown_since / mean, 1.0, kMostSlowdown);
+            key.frame_weight = std::clamp(kWeightAtMean * shown_since / mean, 1.0, kMostWeight);
         }
         made.keys.push_back(key);
         steps = 0;

@@ -16,8 +16,8 @@ struct TimingParams;
 /// stay unchanged; `pose_at` gives the poses of keys. Dynamic programming chooses one direction for
 /// each position, maximizing the visible objects relative to the mean of the direct turns, minus
 /// turning time. It runs in three passes; between them an object's weight falls with how often it
-/// is shown. Under a budget of frames Key::slowdown grows with what is shown on the way to the key,
-/// so that frames go where many objects are in view.
+/// is shown. Under a budget of frames Key::frame_weight grows with what is shown on the way to the
+/// key, so that frames go where many objects are in view.
 ///
 /// With `environment.corners` (trackability), views with few corners cost extra time, and large
 /// turns get more positions, so that the camera can turn another way than past a bare wall; if

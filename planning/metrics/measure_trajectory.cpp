@@ -35,7 +35,7 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
     });
     std::vector<char> cuts(count, 0);
     parallelFor(count, [&](std::size_t i) {
-        if (!followsOn(trajectory, i)) return;
+        if (!continuesPath(trajectory, i)) return;
         const Eigen::Vector3d& from = trajectory.frames[i - 1].pose.position;
         const Eigen::Vector3d& to = trajectory.frames[i].pose.position;
         const SweepResult sweep = sphere.segment(from, to);
@@ -51,7 +51,7 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
         static_cast<double>(std::count(collides.begin(), collides.end(), 1)) /
         static_cast<double>(count);
     return measureShownSurface(views, trajectory, job).map([&](const ShownSurface& shown) {
-        metrics.repeat_rate = shown.repeat_rate;
+        metrics.repeat_rate = shown.repeatRate();
         metrics.object_pixels = shown.object_pixels;
         return metrics;
     });

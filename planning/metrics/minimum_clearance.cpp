@@ -66,9 +66,10 @@ MinimumClearance findMinimumClearance(const std::vector<SmoothPath>& paths,
                                       const Trajectory& trajectory, const RayCaster& rays) {
     MinimumClearance clearance;
     if (trajectory.frames.empty()) return clearance;
-    std::vector<Near> at_frames(trajectory.frames.size());
+    const std::vector<TrajectoryFrame> frames = motionFrames(trajectory);
+    std::vector<Near> at_frames(frames.size());
     parallelFor(at_frames.size(), [&](std::size_t i) {
-        const Eigen::Vector3d& position = trajectory.frames[i].pose.position;
+        const Eigen::Vector3d& position = frames[i].pose.position;
         at_frames[i] = {rays.closest(position).distance, position};
     });
     Near least = *std::ranges::min_element(at_frames, {}, &Near::distance);
@@ -77,11 +78,11 @@ MinimumClearance findMinimumClearance(const std::vector<SmoothPath>& paths,
     for (const SmoothPath& path : paths) {
         pieces.insert(pieces.end(), path.pieces.begin(), path.pieces.end());
     }
-    for (std::size_t i = 0; i + 1 < trajectory.frames.size(); ++i) {
-        const TrajectoryFrame& from = trajectory.frames[i];
-        const TrajectoryFrame& to = trajectory.frames[i + 1];
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+        const TrajectoryFrame& from = frames[i];
+        const TrajectoryFrame& to = frames[i + 1];
         const SmoothPath& path = paths[from.path];
-        if (!followsOn(trajectory, i + 1) || (!isOffPath(path, from) && !isOffPath(path, to))) {
+        if (from.path != to.path || (!isOffPath(path, from) && !isOffPath(path, to))) {
             continue;
         }
         const std::vector<SmoothPath::Piece> move = moveBetween(path, from, to);

@@ -216,6 +216,7 @@ std::string optionText(const Vector3d& point) {
 }
 
 std::string settingLabel(std::string_view name) {
+    if (name == "center") return "Centre";
     std::string label(name);
     std::ranges::replace(label, '_', ' ');
     if (!label.empty() && label[0] >= 'a' && label[0] <= 'z') label[0] += 'A' - 'a';

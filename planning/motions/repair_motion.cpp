@@ -82,12 +82,12 @@ PathTiming timingOf(const PlanParams& params, const Trajectory& given,
                     const std::vector<Frames>& paths) {
     PathTiming timing;
     timing.limits = motionLimits(params.timing);
-    timing.frame_interval_s = given.frame_interval_s;
+    timing.frame_interval_s = medianStep_s(given.frames).value_or(given.frame_interval_s);
     const double wanted = 1.0 / params.timing.frame_rate;
     const bool far_apart = medianSpacing(paths) > kKeyFrameSpacing;
     timing.retime_all = far_apart && areTimesWrong(paths, timing.limits);
-    if (timing.retime_all || !(given.frame_interval_s > 0.0) ||
-        !std::isfinite(given.frame_interval_s)) {
+    if (timing.retime_all || !(timing.frame_interval_s > 0.0) ||
+        !std::isfinite(timing.frame_interval_s)) {
         timing.frame_interval_s = wanted;
     }
     timing.fixed_rate = timing.retime_all || !far_apart;

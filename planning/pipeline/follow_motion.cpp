@@ -56,15 +56,10 @@ PlanParams paramsForMotion(PlanParams params) {
 }
 
 std::vector<std::string> withoutEffectOnMotion(const PlanParams& params) {
-    PlanParams set = params;
     PlanParams used = paramsForMotion(params);
-    used.gaze = set.gaze;  // view_mix is reset, too, but its default is not 0
-    const FieldList fields = listFields(set);
-    const FieldList used_fields = listFields(used);
+    used.gaze = params.gaze;  // view_mix is reset, too, but its default is not 0
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        if (fields[i].valueText() != used_fields[i].valueText()) names.push_back(fields[i].name);
-    }
+    for (auto& [name, value] : changedFields(params, used)) names.push_back(std::move(name));
     return names;
 }
 

@@ -89,29 +89,14 @@ Result<Trajectory> TrajectoryBuilder::timeSteadily(const std::vector<SmoothPath>
                           environment_.heading);
 }
 
-Result<Trajectory> TrajectoryBuilder::withoutRepeats(Trajectory&& steady,
-                                                     const std::vector<SmoothPath>& paths,
-                                                     const TimingParams& timing) const {
-    if (timing.max_frames <= 0 || keepsFrameRate(timing)) return std::move(steady);
-    // Each key needs a frame, including look-aside views and turns on the spot.
-    const auto least = static_cast<int>(leastFrames(paths, position_points_, observation_points_,
-                                                    environment_.pitch, environment_.heading));
-    const auto within = [&](int max_frames) {
-        TimingParams fewer = timing;
-        fewer.max_frames = max_frames;
-        return timeSteadily(paths, fewer);
-    };
-    SurfaceSamplers samplers(
-        environment_.views);  // local to the call, since repairs are tried in parallel
-    return dropRepeats(std::move(steady), timing.max_repeat_rate, least, within, samplers, job_);
-}
-
 Result<Trajectory> TrajectoryBuilder::time(std::vector<SmoothPath> paths,
                                            const TimingParams& timing) const {
     measureImageMotions(paths, timing);
     return timeSteadily(paths, timing)
-        .and_then(
-            [&](Trajectory&& steady) { return withoutRepeats(std::move(steady), paths, timing); })
+        .and_then([&](Trajectory&& steady) -> Result<Trajectory> {
+            if (timing.max_frames <= 0 || keepsFrameRate(timing)) return std::move(steady);
+            return dropRepeats(std::move(steady), timing.max_repeat_rate, environment_.views, job_);
+        })
         .and_then([&](Trajectory&& steady) {
             return shakeTrajectory(paths, std::move(steady), position_points_, environment_.views,
                                    movement_.sphere, params_.shake, environment_.pitch,

@@ -46,9 +46,6 @@ class TrajectoryBuilder {
   private:
     [[nodiscard]] Result<Trajectory> timeSteadily(const std::vector<SmoothPath>& paths,
                                                   const TimingParams& timing) const;
-    [[nodiscard]] Result<Trajectory> withoutRepeats(Trajectory&& steady,
-                                                    const std::vector<SmoothPath>& paths,
-                                                    const TimingParams& timing) const;
     void measureImageMotions(std::vector<SmoothPath>& paths, const TimingParams& timing) const;
     [[nodiscard]] Pose poseAt(const SmoothPath::Key& key) const;
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace dollytrack::planning {
 
@@ -73,19 +74,21 @@ tl::unexpected<Error> tooShortClip(const TimingParams& params) {
                 by_duration ? "duration_s" : "max_frames");
 }
 
-std::string_view whatLoweredTheFrameRate(const Trajectory& trajectory, const TimingParams& params) {
-    constexpr double kSame = 1e-6;  // relative to the interval
-    const bool lowered = trajectory.frame_interval_s * params.frame_rate > 1.0 + kSame;
-    if (params.max_frames <= 0 || keepsFrameRate(params) || !lowered ||
-        trajectory.frames.size() < 2) {
-        return {};
+double meanFrameRate(const Trajectory& trajectory) {
+    int steps = 0;
+    double time_s = 0.0;
+    for (std::size_t i = 1; i < trajectory.frames.size(); ++i) {
+        if (!continuesPath(trajectory, i)) continue;
+        ++steps;
+        time_s += trajectory.frames[i].time_s - trajectory.frames[i - 1].time_s;
     }
-    // Timing alone leaves a small part of the budget unused.
-    constexpr double kUsed = 0.95;
-    const auto frames = static_cast<double>(trajectory.frames.size());
-    return params.max_repeat_rate < 1.0 && frames < kUsed * params.max_frames - 1.0
-               ? "max_repeat_rate"
-               : "max_frames";
+    return time_s > 0.0 ? steps / time_s : 1.0 / trajectory.frame_interval_s;
+}
+
+std::string_view whyFramesWereLeftOut(const Trajectory& trajectory, const TimingParams& params) {
+    if (trajectory.left_out.empty() || params.max_frames <= 0 || keepsFrameRate(params)) return {};
+    const bool budget_used = std::cmp_greater_equal(trajectory.frames.size(), params.max_frames);
+    return budget_used || params.max_repeat_rate >= 1.0 ? "max_frames" : "max_repeat_rate";
 }
 
 std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params) {
@@ -101,16 +104,18 @@ std::string frameRateNote(const Trajectory& trajectory, const TimingParams& para
             "into the remaining frames; raise max_frames or lower frame_rate",
             frames, params.max_frames, params.frame_rate);
     }
-    const std::string_view reason = whatLoweredTheFrameRate(trajectory, params);
+    const std::string_view reason = whyFramesWereLeftOut(trajectory, params);
     if (reason.empty()) return {};
     return fmt::format(
-        "frame_rate={:g} was lowered to {:.3g} ({} frames) for {}; keep_frame_rate=true keeps the "
-        "rate and visits fewer objects",
-        params.frame_rate, 1.0 / trajectory.frame_interval_s, frames,
+        "{} of {} frames at frame_rate={:g} are left out for {} ({:.3g} per second remain on "
+        "average); keep_frame_rate=true keeps all, but visits fewer objects",
+        trajectory.left_out.size(), trajectory.left_out.size() + trajectory.frames.size(),
+        params.frame_rate,
         reason == "max_repeat_rate"
             ? fmt::format("max_repeat_rate={:g}, although max_frames={} allows more",
                           params.max_repeat_rate, params.max_frames)
-            : fmt::format("max_frames={}", params.max_frames));
+            : fmt::format("max_frames={}", params.max_frames),
+        meanFrameRate(trajectory));
 }
 
 }  // namespace dollytrack::planning

@@ -28,12 +28,16 @@ struct TimingParams;
 /// Error: Failed, for a clip too short for the views that must be visited.
 [[nodiscard]] tl::unexpected<Error> tooShortClip(const TimingParams& params);
 
-/// The parameter that lowered the frame rate, max_frames or max_repeat_rate; empty if none did.
-[[nodiscard]] std::string_view whatLoweredTheFrameRate(const Trajectory& trajectory,
-                                                       const TimingParams& params);
+/// Mean number of frames per second within paths.
+[[nodiscard]] double meanFrameRate(const Trajectory& trajectory);
 
-/// A phrase saying that a budget lowered the frame rate and which option keeps it, or that a fixed
-/// frame rate or a trajectory of one frame left more than half of the frames unused; else empty.
+/// The parameter because of which frames were left out, max_frames or max_repeat_rate; empty if
+/// none was.
+[[nodiscard]] std::string_view whyFramesWereLeftOut(const Trajectory& trajectory,
+                                                    const TimingParams& params);
+
+/// A phrase saying that a budget left out frames and which option keeps them, or that a fixed frame
+/// rate or a trajectory of one frame left more than half of the budget unused; else empty.
 [[nodiscard]] std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params);
 
 }  // namespace dollytrack::planning

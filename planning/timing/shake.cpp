@@ -26,12 +26,11 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 class Shaker {
   public:
-    Shaker(const std::vector<SmoothPath>& paths, const Trajectory& steady,
+    Shaker(const std::vector<SmoothPath>& paths, const std::vector<TrajectoryFrame>& steady,
            const std::vector<PositionPoint>& points, const ViewEstimator& views,
            const SweptSphere& sphere, const ShakeParams& params, const PitchBand& pitch, int seed)
         : paths_(paths),
-          steady_(steady.frames),
-          interval_s_(steady.frame_interval_s),
+          steady_(steady),
           points_(points),
           views_(views),
           sphere_(sphere),
@@ -156,18 +155,19 @@ class Shaker {
 
     /// Limits the difference between shares of neighbouring frames to what the fade allows.
     void spread(std::vector<double>& shares) const {
-        const double step = interval_s_ / kFade_s;
+        const auto step = [&](std::size_t i) {
+            return (steady_[i].time_s - steady_[i - 1].time_s) / kFade_s;
+        };
         for (std::size_t i = 1; i < shares.size(); ++i) {
-            if (joined(i)) shares[i] = std::min(shares[i], shares[i - 1] + step);
+            if (joined(i)) shares[i] = std::min(shares[i], shares[i - 1] + step(i));
         }
         for (std::size_t i = shares.size(); i-- > 1;) {
-            if (joined(i)) shares[i - 1] = std::min(shares[i - 1], shares[i] + step);
+            if (joined(i)) shares[i - 1] = std::min(shares[i - 1], shares[i] + step(i));
         }
     }
 
     const std::vector<SmoothPath>& paths_;
     const std::vector<TrajectoryFrame>& steady_;
-    double interval_s_;
     const std::vector<PositionPoint>& points_;
     const ViewEstimator& views_;
     const SweptSphere& sphere_;
@@ -220,18 +220,20 @@ Result<Trajectory> shakeTrajectory(const std::vector<SmoothPath>& paths, Traject
                                    const ShakeParams& params, const PitchBand& pitch, int seed,
                                    const JobContext& job) {
     if (params.shake == ShakeKind::None || trajectory.frames.empty()) return trajectory;
-    Shaker shaker(paths, trajectory, position_points, views, sphere, params, pitch, seed);
+    const std::vector<std::size_t> order = motionOrder(trajectory);
+    const std::vector<TrajectoryFrame> steady = motionFrames(trajectory);
+    Shaker shaker(paths, steady, position_points, views, sphere, params, pitch, seed);
     shaker.fadeAtKeys();
     // This ends: each round lowers some share, and small shares become 0.
     while (!job.cancelled() && shaker.shrinkAtCollisions()) {
     }
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-    std::vector<Pose> poses(trajectory.frames.size());
-    for (std::size_t i = 0; i < poses.size(); ++i) poses[i] = shaker.pose(i);
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        TrajectoryFrame& frame = trajectory.frames[i];
+    const std::size_t kept = trajectory.frames.size();
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        TrajectoryFrame& frame =
+            order[i] < kept ? trajectory.frames[order[i]] : trajectory.left_out[order[i] - kept];
         const double distance = (frame.target_in_world - frame.pose.position).norm();
-        frame.pose = poses[i];
+        frame.pose = shaker.pose(i);
         frame.target_in_world = frame.pose.position + distance * frame.pose.forward();
     }
     return trajectory;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -38,8 +39,11 @@ struct Motion {
     std::size_t path_index = 0;
     SpeedProfile speed_profile;
     std::size_t first_segment = 0;
-    std::vector<double> least_times_s;  // by segment, from their turns
-    std::vector<std::size_t> intervals;
+    std::vector<double> least_times_s;   // by segment, from their turns
+    std::vector<double> weighted_s;      // by segment: shortest time of a straight move or turn,
+                                         // times Key::frame_weight
+    std::vector<std::size_t> intervals;  // of the motion, by segment
+    std::vector<std::size_t> kept;       // by segment: frames kept after its first key
 
     [[nodiscard]] std::size_t frames() const {
         return std::accumulate(intervals.begin(), intervals.end(), std::size_t{1});
@@ -70,17 +74,23 @@ TrajectoryFrame frameAtKey(const Motion& motion, const SmoothPath::Key& key,
     return frame;
 }
 
-/// Writes the frames after the segment's first key up to its second, starting at `frames`.
+/// Writes the frames after the segment's first key up to its second, starting at `frames`. The
+/// segment begins after `begin` intervals of `interval_s`; `profile_interval_s` is the interval at
+/// which the motions meet their limits.
 void putFrames(const Motion& motion, std::size_t index, const Segment& s, const KeyViews& views,
-               double interval_s, TrajectoryFrame* frames) {
+               std::size_t begin, double profile_interval_s, double interval_s,
+               TrajectoryFrame* frames) {
     const std::size_t count = motion.intervals[index];
-    const double time_s = interval_s * static_cast<double>(count);
+    const double time_s = profile_interval_s * static_cast<double>(count);
     const std::vector<double> arcs = motion.speed_profile.arcs(index, time_s, count);
     const double from_distance = (s.from_target - s.from->position).norm();
     const double to_distance = (s.to_target - s.to->position).norm();
-    for (std::size_t i = 1; i < count; ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(count);
+    for (std::size_t i = 1; i <= count; ++i) {
         TrajectoryFrame& frame = frames[i - 1];
+        if (i == count) frame = frameAtKey(motion, *s.to, views);
+        frame.time_s = interval_s * static_cast<double>(begin + i);
+        if (i == count) break;
+        const double share = static_cast<double>(i) / static_cast<double>(count);
         frame.path = static_cast<int>(motion.path_index);
         frame.component = motion.path->component;
         frame.arc_m = arcs[i - 1];
@@ -91,7 +101,6 @@ void putFrames(const Motion& motion, std::size_t index, const Segment& s, const 
         const double distance = (1.0 - share) * from_distance + share * to_distance;
         frame.target_in_world = frame.pose.position + distance * frame.pose.forward();
     }
-    frames[count - 1] = frameAtKey(motion, *s.to, views);
 }
 
 std::size_t settleAll(std::vector<Motion>& motions, double interval_s) {
@@ -151,12 +160,72 @@ double settleInto(std::vector<Motion>& motions, double interval_s, std::size_t f
     return high;
 }
 
+/// Distributes a budget of frames over the segments, in proportion to their times, or to their
+/// weighted times if those are longer: at least one for each segment, and no more than it has
+/// intervals.
+void keepFrames(std::vector<Motion>& motions, double interval_s, std::size_t most_frames) {
+    struct Share {
+        std::size_t* kept;
+        double weight;
+        std::size_t intervals;
+        [[nodiscard]] double at(double scale) const {
+            return std::clamp(scale * weight, 1.0, static_cast<double>(intervals));
+        }
+    };
+    std::vector<Share> shares;
+    double largest = 0.0;  // scale that keeps all frames
+    std::size_t all = 0;
+    for (Motion& motion : motions) {
+        motion.kept = motion.intervals;
+        for (std::size_t i = 0; i < motion.kept.size(); ++i) {
+            const auto intervals = static_cast<double>(motion.intervals[i]);
+            const double weight = std::max(motion.weighted_s[i] / interval_s, intervals);
+            shares.push_back({&motion.kept[i], weight, motion.intervals[i]});
+            largest = std::max(largest, intervals / weight);
+            all += motion.intervals[i];
+        }
+    }
+    const std::size_t budget =
+        most_frames - motions.size();  // the first keys have frames of their own
+    const auto total = [&](double scale) {
+        std::size_t sum = 0;
+        for (const Share& share : shares) sum += static_cast<std::size_t>(share.at(scale));
+        return sum;
+    };
+    if (all <= budget) return;
+    constexpr int kHalvings = 60;
+    double scale = 0.0;
+    double step = largest;
+    for (int i = 0; i < kHalvings; ++i) {
+        step *= 0.5;
+        if (total(scale + step) <= budget) scale += step;
+    }
+    std::size_t left = budget;
+    for (const Share& share : shares) {
+        *share.kept = static_cast<std::size_t>(share.at(scale));
+        left -= *share.kept;
+    }
+    // The frames left by rounding go to the largest remainders.
+    std::ranges::stable_sort(shares, std::greater(), [&](const Share& share) {
+        return share.at(scale) - std::floor(share.at(scale));
+    });
+    for (const Share& share : shares) {
+        if (left == 0) break;
+        if (*share.kept >= share.intervals) continue;
+        ++*share.kept;
+        --left;
+    }
+}
+
 /// Repeats the last frame until there are so many frames.
 void standStill(Trajectory& trajectory, std::size_t frames) {
     if (trajectory.frames.empty()) return;
     TrajectoryFrame last = trajectory.frames.back();
     last.position_point = -1;
-    while (trajectory.frames.size() < frames) trajectory.frames.push_back(last);
+    while (trajectory.frames.size() < frames) {
+        last.time_s = trajectory.frame_interval_s * static_cast<double>(trajectory.frames.size());
+        trajectory.frames.push_back(last);
+    }
 }
 
 std::vector<SmoothPath> turnedAlong(const std::vector<SmoothPath>& paths, const KeyViews& views,
@@ -170,16 +239,6 @@ std::vector<SmoothPath> turnedAlong(const std::vector<SmoothPath>& paths, const 
 }
 
 }  // namespace
-
-std::size_t leastFrames(const std::vector<SmoothPath>& paths,
-                        const std::vector<PositionPoint>& position_points,
-                        const std::vector<ObservationPoint>& observation_points,
-                        const PitchBand& pitch, const HeadingLimit& heading) {
-    const KeyViews views(position_points, observation_points, pitch);
-    std::size_t least = 0;
-    for (const SmoothPath& path : turnedAlong(paths, views, heading)) least += path.keys.size();
-    return least;
-}
 
 Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
                                   const std::vector<PositionPoint>& position_points,
@@ -197,7 +256,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
         for (std::size_t k = 0; k + 1 < paths[p].keys.size(); ++k) {
             begins.emplace_back(motions.size(), k);
         }
-        motions.push_back({&paths[p], p, SpeedProfile(paths[p], limits), first, {}, {}});
+        motions.push_back({&paths[p], p, SpeedProfile(paths[p], limits), first, {}, {}, {}, {}});
     }
     if (params.max_frames > 0 && !keepsFrameRate(params) &&
         begins.size() + motions.size() > static_cast<std::size_t>(params.max_frames)) {
@@ -217,54 +276,69 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
     });
     const double motion_rps = imageMotionLimit_rps(params);
     for (std::size_t i = 0; i < begins.size(); ++i) {
-        const SmoothPath::Key& to = *segments[i].to;
         double least_s = segments[i].turn_profile.time();
-        if (to.slowdown > 1.0) {
-            const double travel_s = (to.arc_m - segments[i].from->arc_m) / limits.speed_mps;
-            least_s = to.slowdown * std::max(least_s, travel_s);
+        if (motion_rps > 0.0) {
+            least_s = std::max(least_s, segments[i].to->image_motion_rad / motion_rps);
         }
-        if (motion_rps > 0.0) least_s = std::max(least_s, to.image_motion_rad / motion_rps);
-        motions[begins[i].first].least_times_s.push_back(least_s);
+        Motion& motion = motions[begins[i].first];
+        motion.least_times_s.push_back(least_s);
+        const SmoothPath::Key& to = *segments[i].to;
+        const double travel_s = (to.arc_m - segments[i].from->arc_m) / limits.speed_mps;
+        motion.weighted_s.push_back(to.frame_weight *
+                                    std::max(segments[i].turn_profile.time(), travel_s));
     }
     Trajectory trajectory;
     const double interval_s = 1.0 / params.frame_rate;
-    const std::size_t most_frames = keepsFrameRate(params) ? clipFrames(params) : params.max_frames;
     const bool whole_clip = params.duration_s > 0.0;
+    const bool has_budget = params.max_frames > 0 && !keepsFrameRate(params);
     // Frame interval with motion at its limits; in a clip of given duration the motion is slower.
-    const double settled_s = whole_clip ? settleInto(motions, interval_s, most_frames)
-                             : keepsFrameRate(params)
-                                 ? settleWithin(motions, interval_s, 0)
-                                 : settleWithin(motions, interval_s, most_frames);
-    trajectory.frame_interval_s = keepsFrameRate(params) ? interval_s : settled_s;
-    std::size_t total = 0;
-    for (const Motion& motion : motions) total += motion.frames();
-    if (total > kMostFrames) {
-        return fail(ErrorCode::Usage,
-                    "At these limits the trajectory would have more than a million frames; lower "
-                    "frame_rate, raise max_speed_mps or max_turn_dps, or set max_frames.",
-                    "frame_rate");
+    double settled_s = whole_clip ? settleInto(motions, interval_s, clipFrames(params))
+                                  : (settleAll(motions, interval_s), interval_s);
+    const auto framesOfAll = [&] {
+        std::size_t frames = 0;
+        for (const Motion& motion : motions) frames += motion.frames();
+        return frames;
+    };
+    if (framesOfAll() > kMostFrames) {
+        if (!has_budget) {
+            return fail(ErrorCode::Usage,
+                        "At these limits the trajectory would have more than a million frames; "
+                        "lower frame_rate, raise max_speed_mps or max_turn_dps, or set max_frames.",
+                        "frame_rate");
+        }
+        settled_s = settleWithin(motions, interval_s, kMostFrames);
     }
-    trajectory.frames.resize(total);
-    std::vector<std::size_t> first_frames;  // by segment
-    std::size_t frames = 0;
+    trajectory.frame_interval_s = keepsFrameRate(params) ? interval_s : settled_s;
+    if (has_budget) {
+        keepFrames(motions, settled_s, params.max_frames);
+    } else {
+        for (Motion& motion : motions) motion.kept = motion.intervals;
+    }
+    std::vector<TrajectoryFrame>& all = trajectory.frames;
+    std::vector<char> keep;                 // by frame
+    std::vector<std::size_t> first_frames;  // by segment, after its first key
     for (const Motion& motion : motions) {
-        trajectory.frames[frames++] = frameAtKey(motion, motion.path->keys.front(), views);
-        for (const std::size_t count : motion.intervals) {
-            first_frames.push_back(frames);
-            frames += count;
+        all.push_back(frameAtKey(motion, motion.path->keys.front(), views));
+        all.back().time_s = trajectory.frame_interval_s * static_cast<double>(all.size() - 1);
+        keep.push_back(1);
+        for (std::size_t i = 0; i < motion.kept.size(); ++i) {
+            first_frames.push_back(all.size());
+            all.resize(all.size() + motion.intervals[i]);
+            keep.resize(all.size(), 0);
+            for (std::size_t k = 1; k <= motion.kept[i]; ++k) {  // evenly spread
+                keep[first_frames.back() - 1 + k * motion.intervals[i] / motion.kept[i]] = 1;
+            }
         }
     }
     parallelRanges(segments.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t s = begin; s < end; ++s) {
             const Motion& motion = motions[begins[s].first];
-            putFrames(motion, s - motion.first_segment, segments[s], views, settled_s,
-                      &trajectory.frames[first_frames[s]]);
+            putFrames(motion, s - motion.first_segment, segments[s], views, first_frames[s] - 1,
+                      settled_s, trajectory.frame_interval_s, &all[first_frames[s]]);
         }
     });
-    if (whole_clip) standStill(trajectory, most_frames);
-    for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
-        trajectory.frames[i].time_s = static_cast<double>(i) * trajectory.frame_interval_s;
-    }
+    if (has_budget) trajectory = keepOnly(trajectory, keep);
+    if (whole_clip) standStill(trajectory, clipFrames(params));
     return trajectory;
 }
 

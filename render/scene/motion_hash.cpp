@@ -9,12 +9,17 @@ namespace dollytrack::render {
 
 std::string trajectoryHash(const Trajectory& trajectory) {
     std::string text;
-    for (const TrajectoryFrame& frame : trajectory.frames) {
-        text += fmt::format("{} {} {} {}", frame.time_s, frame.path, frame.component,
-                            frame.position_point) +
-                exactText(frame.pose.position) + exactText(frame.pose.rotation.coeffs()) +
-                exactText(frame.target_in_world) + "\n";
-    }
+    const auto add = [&](const std::vector<TrajectoryFrame>& frames) {
+        for (const TrajectoryFrame& frame : frames) {
+            text += fmt::format("{} {} {} {}", frame.time_s, frame.path, frame.component,
+                                frame.position_point) +
+                    exactText(frame.pose.position) + exactText(frame.pose.rotation.coeffs()) +
+                    exactText(frame.target_in_world) + "\n";
+        }
+    };
+    add(trajectory.frames);
+    if (!trajectory.left_out.empty()) text += "left out\n";
+    add(trajectory.left_out);
     return sha256Of(std::string_view(text));
 }
 

@@ -35,6 +35,22 @@ TEST(MotionMetrics, AreTheDifferencesOfThePoses) {
     EXPECT_EQ(motion.turn_dps.max, 0.0);
 }
 
+// x = t^2: divided differences at midpoints are exact for any steps.
+TEST(MotionMetrics, MayHaveUnevenSteps) {
+    Trajectory trajectory;
+    for (const double t : {0.0, 0.1, 0.4, 0.5, 1.1}) {
+        TrajectoryFrame frame;
+        frame.time_s = t;
+        frame.pose.position.x() = t * t;
+        trajectory.frames.push_back(frame);
+    }
+    const MotionMetrics motion = measureMotion(trajectory);
+    EXPECT_NEAR(motion.speed_mps.max, 1.6, 1e-9);
+    EXPECT_NEAR(motion.acceleration_mps2.max, 2.0, 1e-9);
+    EXPECT_NEAR(motion.acceleration_mps2.median, 2.0, 1e-9);
+    EXPECT_NEAR(motion.jerk_mps3.max, 0.0, 1e-9);
+}
+
 TEST(MotionMetrics, MeasureTurningAndItsChange) {
     Trajectory trajectory = along([](double) { return 0.0; }, 11);
     for (TrajectoryFrame& frame : trajectory.frames) {

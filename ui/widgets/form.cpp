@@ -5,6 +5,7 @@
 #include "ui/widgets/item_map.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dollytrack::ui {
 namespace {
@@ -21,6 +22,27 @@ void drawTooltip(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+/// Breaks a text into lines of this width, px. ImGui's own breaks are also after the point of a
+/// decimal number.
+std::string brokenAtSpaces(const std::string& text, float width) {
+    std::string broken;
+    std::string line;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
+        const std::string word = text.substr(at, end - at);
+        if (!line.empty() && ImGui::CalcTextSize((line + word).c_str()).x > width) {
+            line.back() = '\n';
+            broken += line;
+            line.clear();
+        }
+        line += word;
+        if (end < text.size()) line += text[end];
+        if (end < text.size() && text[end] == '\n') broken += std::exchange(line, {});
+        at = end + 1;
+    }
+    return broken + line;
 }
 
 }  // namespace
@@ -69,8 +91,8 @@ void heading(const char* text) {
 
 void paragraph(const std::string& text, const ImVec4& color) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::PushTextWrapPos(0.0F);  // for words longer than a line
+    ImGui::TextUnformatted(brokenAtSpaces(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
 }

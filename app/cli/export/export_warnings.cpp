@@ -49,7 +49,8 @@ void warnOfParametersWithoutEffect(planning::PlanParams params) {
     const FieldList standard = planning::listFields(defaults);
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const Field& field = fields[i];
-        if (!planning::isOfImages(field.section) || field.valueText() == standard[i].valueText())
+        if (!planning::affectsOnlyImages(field.section) ||
+            field.valueText() == standard[i].valueText())
             continue;
         const std::string message = noEffectMessage(fields, field);
         if (!message.empty()) log::warn("export", message);

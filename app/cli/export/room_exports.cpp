@@ -24,11 +24,20 @@ RoomExport takeRoom(const nlohmann::json& room, const Trajectory& all) {
     RoomExport one{room.at("name").get<std::string>(), room, {all.frame_interval_s, {}}};
     one.about.erase("paths");  // path indices of the whole trajectory
     const auto paths = room.at("paths").get<std::set<int>>();
-    for (const TrajectoryFrame& frame : all.frames) {
+    const TrajectoryFrame* last = nullptr;  // frame of the room
+    double time_s = 0.0;
+    for (const std::size_t i : motionOrder(all)) {
+        TrajectoryFrame frame = motionFrame(all, i);
         if (!paths.contains(frame.path)) continue;
-        const auto number = static_cast<double>(one.trajectory.frames.size());
-        one.trajectory.frames.push_back(frame);
-        one.trajectory.frames.back().time_s = number * all.frame_interval_s;
+        // Time begins at the first frame with images.
+        if (last == nullptr && i >= all.frames.size()) continue;
+        // Frames of other rooms are cut out, with their time.
+        if (last != nullptr) {
+            time_s += frame.path == last->path ? frame.time_s - last->time_s : all.frame_interval_s;
+        }
+        last = &motionFrame(all, i);
+        frame.time_s = time_s;
+        (i < all.frames.size() ? one.trajectory.frames : one.trajectory.left_out).push_back(frame);
     }
     return one;
 }

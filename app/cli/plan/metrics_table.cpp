@@ -198,9 +198,8 @@ std::string scannedText(const nlohmann::json& metrics) {
 
 std::string metricsTable(const nlohmann::json& m) {
     std::string text = givenMotionRow(m) + captureRows(m) + collisionRows(m);
-    text +=
-        row("frames", fmt::format("{}, {} of them key frames, every {:.3g} s", m.value("frames", 0),
-                                  m.value("key_frames", 0), m.value("frame_interval_s", 0.0)));
+    text += row("frames", fmt::format("{} in {:.4g} s, {} of them key frames", m.value("frames", 0),
+                                      m.value("duration_s", 0.0), m.value("key_frames", 0)));
     text += row("repeats", percent(m, "repeat_rate"));
     if (m.contains("trackable_rate")) {
         text += row("trackable", percent(m, "trackable_rate") + " of the frames");

@@ -55,7 +55,7 @@ void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
             lines, timing.frame_rate));
 }
 
-/// Warns about a lowered frame rate, about a trajectory of a single frame and, at a kept frame
+/// Warns about frames that were left out, about a trajectory of a single frame and, at a kept frame
 /// rate, about unused frames if something is left to capture.
 void warnOfFrameRate(const Plan& plan, const planning::TimingParams& timing) {
     const CaptureMetrics& captures = plan.capture_metrics;

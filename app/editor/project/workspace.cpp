@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <string_view>
+#include <utility>
 
 namespace dollytrack::editor {
 namespace {
@@ -19,10 +21,37 @@ using Clock = std::chrono::steady_clock;
 /// The section of a project file with the editor's view.
 constexpr const char* kView = "view";
 
-/// The hidden objects of a view.
-nlohmann::json hiddenIn(const nlohmann::json& view) {
-    const bool has = view.is_object() && view.contains("hidden");
-    return has ? view["hidden"] : nlohmann::json::array();
+/// The hidden objects and the export settings of a view.
+nlohmann::json choicesIn(const nlohmann::json& view) {
+    nlohmann::json choices = {{"hidden", nlohmann::json::array()}};
+    for (const char* name : {"hidden", "export"}) {
+        if (view.is_object() && view.contains(name)) choices[name] = view[name];
+    }
+    return choices;
+}
+
+/// A message of the import with the editor's menus instead of the options of the command line.
+std::string withMenuNames(std::string message) {
+    static constexpr std::pair<std::string_view, std::string_view> kMenus[] = {
+        {"leave out --keep-meshes", "uncheck File > Keep the file's meshes as objects"},
+        {"leave --keep-meshes out", "uncheck File > Keep the file's meshes as objects"},
+        {"pass --models ~/.gz/fuel", "add ~/.gz/fuel with File > Add a folder of models"},
+        {"try --unit", "choose File > Unit of length:"},
+        {"try --up", "choose File > Upward axis:"},
+        {"pass --up", "choose File > Upward axis:"},
+        {"--keep-meshes", "File > Keep the file's meshes as objects"},
+        {"--labels", "File > Use a label file"},
+        {"--models", "File > Add a folder of models"},
+        {"--unit", "File > Unit of length"},
+        {"--up", "File > Upward axis"}};
+    for (const auto& [option, menu] : kMenus) {
+        std::size_t at = 0;
+        while ((at = message.find(option, at)) != std::string::npos) {
+            message.replace(at, option.size(), menu);
+            at += menu.size();
+        }
+    }
+    return message;
 }
 
 }  // namespace
@@ -144,11 +173,14 @@ void Workspace::takeHistory(LoadOutcome& outcome) {
 
 void Workspace::install(OpenedProject opened, std::optional<CommandStack::History> history) {
     close();
+    log::info("project", "opened " + opened.scene_file.string());
     for (const std::string& warning : opened.warnings) log::warn("project", warning);
     for (const std::string& warning : opened.imported->report.warnings) {
-        log::warn("import", warning);
+        log::warn("import", withMenuNames(warning));
     }
-    for (const std::string& note : opened.imported->report.notes) log::info("import", note);
+    for (const std::string& note : opened.imported->report.notes) {
+        log::info("import", withMenuNames(note));
+    }
     if (!opened.warnings.empty()) {
         std::string text;
         for (const std::string& warning : opened.warnings) text += warning + "\n";
@@ -238,7 +270,7 @@ void Workspace::save(const std::filesystem::path& path, OnConflict on_conflict) 
     // Another camera or frame alone is no reason to write a file.
     const bool nothing_new =
         asks && !unsaved() && path == this->path() && (file_has_plan_ || !planned) &&
-        hiddenIn(opened_->others.value(kView, nlohmann::json())) == hiddenIn(view_in_file_);
+        choicesIn(opened_->others.value(kView, nlohmann::json())) == choicesIn(view_in_file_);
     SaveOrder order;
     order.outcome = {++save_serial_, document_, path, stack_.state(), planned};
     order.file = snapshot(false);

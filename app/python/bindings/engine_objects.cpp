@@ -69,9 +69,8 @@ Result<Trajectory> trajectoryOf(const py::array& given_poses, const py::array& g
         frame.pose.rotation.normalize();
         frame.target_in_world = frame.pose.position + frame.pose.forward();
     }
-    if (trajectory.frames.size() > 1) {
-        trajectory.frame_interval_s = trajectory.frames[1].time_s - trajectory.frames[0].time_s;
-    }
+    trajectory.frame_interval_s =
+        medianStep_s(trajectory.frames).value_or(trajectory.frame_interval_s);
     return trajectory;
 }
 

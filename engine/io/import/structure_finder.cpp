@@ -296,8 +296,12 @@ void findUnnamedStructure(const RawScene& raw, std::vector<ObjectDraft>& drafts)
         // Objects of such a source are targets, even if no word of their name is known.
         if (draft.label.pattern.empty() && draft.label.nyu40 == 0) draft.label = {};
     }
+    const bool names_structure = std::ranges::any_of(
+        drafts, [](const ObjectDraft& draft) { return draft.label.kind == LabelKind::Structure; });
     const std::vector<bool> structure = findStructure(raw, judged);
-    if (std::ranges::find(structure, false) != structure.end()) drafts = std::move(judged);
+    // Without any other object, shapes alone are too weak: they may be those of furniture.
+    const bool has_others = std::ranges::find(structure, false) != structure.end();
+    if (has_others || names_structure) drafts = std::move(judged);
 }
 
 }  // namespace dollytrack

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kUsualRoomLow_m = 2.2;
 constexpr double kUsualRoomHigh_m = 3.4;
-constexpr double kHighRoom_m = 4.5;  // of offices, schools and shops
+constexpr double kHighRoom_m = 4.5;   // of offices, schools and shops
+constexpr double kUnusualFit = 0.75;  // of UnitEvidence::Kind::fitIn()
 constexpr double kFactor = 1.6;     // largest deviation of furniture and room sizes from usual ones
 constexpr double kRoomShare = 0.3;  // of the height; the sides of a thick floor are nearer together
 constexpr double kHandleShare = 0.15;  // of the height; smaller doors are only their handles
@@ -133,11 +134,10 @@ UnitScore scoreUnit(const UnitEvidence& evidence, double unit_m) {
 }
 
 std::string describeSizes(const UnitEvidence& evidence, double unit_m) {
-    constexpr double kUnusual = 0.75;  // of UnitEvidence::Kind::fitIn()
     constexpr std::size_t kShown = 4;
     std::vector<std::string> unusual;
     for (const auto& kind : evidence.kinds) {
-        if (kind.fitIn(unit_m) >= kUnusual) continue;
+        if (kind.fitIn(unit_m) >= kUnusualFit) continue;
         unusual.push_back(fmt::format("{} {:.2g} m", nyu40Name(kind.nyu40), kind.size * unit_m));
     }
     std::string furniture;
@@ -166,6 +166,12 @@ bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m) {
         scoreUnit(evidence, unit_m).furniture >= kUsualSizes) {
         return false;
     }
+    const bool usual_furniture =
+        !evidence.kinds.empty() &&
+        std::ranges::all_of(evidence.kinds, [&](const UnitEvidence::Kind& kind) {
+            return kind.fitIn(unit_m) >= kUnusualFit;
+        });
+    if (usual_furniture && storey_m >= kUsualRoomLow_m && storey_m <= kHighRoom_m) return false;
     // A single class of furniture is weak evidence: it may be a part or a toy. A room of usual
     // height outweighs it.
     const double height_m = evidence.height * unit_m;

@@ -73,7 +73,8 @@ json metricsForm() {
         metrics[name] = "rate?";
     }
     for (const char* name : {"object_pixels", "min_clearance_m"}) metrics[name] = "number?";
-    for (const char* name : {"path_length_m", "frame_interval_s", "surface_patch_m"}) {
+    for (const char* name :
+         {"path_length_m", "frame_interval_s", "duration_s", "surface_patch_m"}) {
         metrics[name] = "number";
     }
     for (const char* name : {"not_well_captured", "missed_capturable", "missed_well_capturable"}) {
@@ -104,7 +105,8 @@ json planForm() {
                                  {"surface_view", "flag"}};
     return {{"metrics", metricsForm()},
             {"rooms", {{{"low!", "point"}, {"high!", "point"}}}},
-            {"trajectory", {{"frame_interval_s!", "number"}, {"frames!", {frame}}}},
+            {"trajectory",
+             {{"frame_interval_s!", "number"}, {"frames!", {frame}}, {"left_out", {frame}}}},
             {"observation_points",
              {{{"kind", "text"},
                {"position", "point"},

@@ -178,16 +178,6 @@ Pose placed(const FilePose& read, const Eigen::Affine3d& world_from_file) {
     return {world_from_file * read.position, Eigen::Quaterniond(rotation).normalized()};
 }
 
-double medianInterval(const std::vector<TrajectoryFrame>& frames, double otherwise) {
-    std::vector<double> intervals;
-    for (std::size_t i = 1; i < frames.size(); ++i) {
-        intervals.push_back(frames[i].time_s - frames[i - 1].time_s);
-    }
-    if (intervals.empty()) return otherwise;
-    std::sort(intervals.begin(), intervals.end());
-    return intervals[intervals.size() / 2];
-}
-
 }  // namespace
 
 std::string trajectoryFormatNames() {
@@ -244,7 +234,7 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
         loaded.trajectory.frames.push_back(frame);
     }
     loaded.trajectory.frame_interval_s =
-        medianInterval(loaded.trajectory.frames, reading.interval_s);
+        medianStep_s(loaded.trajectory.frames).value_or(reading.interval_s);
     return loaded;
 }
 

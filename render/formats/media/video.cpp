@@ -1,7 +1,6 @@
 #include "render/formats/media/video.h"
 
 #include "engine/io/files/guarded_folder.h"
-#include "engine/math/quantile.h"
 #include "render/formats/media/video_encoder.h"
 #include "render/pictures/picture_file.h"
 
@@ -15,20 +14,16 @@ namespace {
 
 constexpr std::array<const char*, 1> kVideoFiles = {"preview.mp4"};
 
-constexpr double kFastest = 1000.0;  // images per second
-
-/// Images per second, so that the video runs in the trajectory's time. A single frame uses the
-/// trajectory's rate.
+/// Mean number of images per second, so that the video lasts as long as the trajectory. A single
+/// frame uses the trajectory's rate.
 double rateOf(const DatasetContents& contents) {
     const std::vector<DatasetFrame>& frames = contents.frames;
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < frames.size(); ++i) {
-        if (frames[i].camera.path != frames[i - 1].camera.path) continue;
-        steps.push_back(frames[i].camera.time_s - frames[i - 1].camera.time_s);
-    }
-    if (steps.empty()) steps.push_back(contents.frame_interval_s);
-    const double step = upperMedian(std::move(steps));
-    return step > 0.0 ? std::clamp(1.0 / step, kSlowestVideo, kFastest) : kFastest;
+    if (frames.size() < 2)
+        return std::clamp(1.0 / contents.frame_interval_s, kSlowestVideo, kFastestVideo);
+    const double seconds = frames.back().camera.time_s - frames.front().camera.time_s;
+    const auto steps = static_cast<double>(frames.size() - 1);
+    return seconds > 0.0 ? std::clamp(steps / seconds, kSlowestVideo, kFastestVideo)
+                         : kFastestVideo;
 }
 
 Result<cv::Mat> readPicture(const GuardedFolder& folder, const std::string& file) {
@@ -64,7 +59,7 @@ nlohmann::ordered_json videoConvention(const DatasetContents& /*contents*/) {
     return {{"file", kVideoFiles[0]},
             {"format",
              "MP4, H.264: preview of the trajectory with every frame of rgb once, each for the "
-             "same duration, at the trajectory's frame rate; lossy, not meant as data"}};
+             "same duration, at the trajectory's mean frame rate; lossy, not meant as data"}};
 }
 
 }  // namespace

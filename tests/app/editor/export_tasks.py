@@ -256,7 +256,7 @@ class Exporting(Task):
         self.editor.type_value("export.width_px", "200")
         state = self.editor.idle()
         self.assertEqual(state["parameters"]["camera"]["width_px"], 200)
-        self.assertEqual(state["history"][-1], "Set width_px to 200")
+        self.assertEqual(state["history"][-1], "Set width to 200")
         out = self.folder / "dataset"
         self.finished(self.queue(out))
         picture = cv2.imread(str(next((out / "rgb").glob("*.png"))))

@@ -77,10 +77,16 @@ class Files(Task):
                 self.editor.tap("ctrl+q")
                 self.assertEqual(self.editor.wait_end(), 0)
                 self.editor.tidy()
-        content["view"] = view
+        chosen = {"folder": "out", "first": 1, "last": -1, "step": 4}
+        content["view"] = {**view, "export": chosen}
         self.project.write_text(json.dumps(content))
         state = self.start(self.project)
         self.assertEqual((state["frame"], state["hidden_ids"]), (3, [SOFA]))
+        self.editor.click(f"objects.eye.{SOFA}")
+        self.editor.key("ctrl+s")
+        self.editor.idle()
+        saved = json.loads(self.project.read_text())["view"]
+        self.assertEqual((saved["hidden"], saved["export"]), ([], chosen))
 
     def test_a_project_saved_on_the_way_out_is_among_the_recent_ones(self):
         self.changed_room()

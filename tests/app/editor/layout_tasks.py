@@ -13,7 +13,7 @@ PANELS = {"objects": "objects.", "layers": "layers.", "by hand": "edits.", "hist
           "timeline": "timeline.", "algorithm": "steps.", "export": "export.", "log": "log."}
 MENUS = ("file", "edit", "camera", "view", "layers", "timeline", "window", "help")
 # Commands and buttons whose name ends in dots; other texts get them where they are shortened.
-DOTTED = ("Open", "Save as", "Use a label file", "Write annotations", "Import a camera path",
+DOTTED = ("Add a folder of models", "Open", "Save as", "Use a label file", "Write annotations", "Import a camera path",
           "Save the camera path", "Export the dataset", "Open B", "Choose", "Add projects", "Camera move: orbit",
           "Camera move: arc", "Camera move: dolly", "Camera move: crane", "Camera move: walk",
           "Compare with another project")

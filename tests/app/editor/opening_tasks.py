@@ -144,6 +144,21 @@ class Opening(Task):
             self.editor.kill()
             self.assertNotIn("import_doubt", self.start(file)["items"])
 
+    def test_a_scene_is_read_in_another_unit_and_with_the_meshes_of_its_file(self):
+        self.start_room()
+        self.editor.run_command("read the scene in feet")
+        state = self.editor.wait(lambda state: "import_changed" in state["items"],
+                                 "the scene to be read in feet")
+        self.assertAlmostEqual(state["import"]["unit_m"], 0.3048)
+        self.editor.click("import_changed.0")
+        self.editor.wait(lambda state: "unit_m" not in state["import"], "the unit before")
+        self.editor.run_command("keep the file's meshes")
+        self.editor.wait(lambda state: state["import"].get("regroup") is False,
+                         "the meshes to be kept")
+        self.editor.run_command("keep the file's meshes")
+        self.editor.wait(lambda state: "regroup" not in state["import"],
+                         "the meshes to be regrouped")
+
     def test_missing_textures_are_told_until_that_is_hidden_and_do_not_block(self):
         scene = self.folder / "bare.obj"
         tiny_room.write(scene)

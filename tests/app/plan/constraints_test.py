@@ -153,7 +153,7 @@ class Constraints(FolderCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         summary = json.loads(result.stdout)
         self.assertEqual([room["room"] for room in summary["rooms"]], ["room_1", "room_2"])
-        sides = []
+        sides, steps = [], []
         for room, planned in zip(summary["rooms"], metrics["rooms"]):
             folder = out / room["room"]
             cameras = json.loads((folder / "camera.json").read_text())
@@ -161,7 +161,17 @@ class Constraints(FolderCase):
             self.assertEqual(len(list((folder / "rgb").glob("*.png"))), planned["frames"])
             self.assertEqual(cameras[0]["time"], 0)
             sides.append({camera["pos"][0] < 3.05 for camera in cameras})
+            # A budget leaves out frames, so that the steps within a path have different lengths.
+            inside = [frame for frame in frames
+                      if (frame["position"][0] < 3.05) == (cameras[0]["pos"][0] < 3.05)]
+            steps += [(after["time_s"] - before["time_s"], camera["time"] - last["time"])
+                      for before, after, last, camera
+                      in zip(inside, inside[1:], cameras, cameras[1:])
+                      if before["path"] == after["path"]]
         self.assertEqual(sorted(sides, key=str), [{False}, {True}])
+        self.assertGreater(len({round(step, 3) for step, _ in steps}), 1)
+        for step, written in steps:
+            self.assertAlmostEqual(step, written, places=6)
         listed = json.loads((out / "rooms.json").read_text())["rooms"]
         self.assertEqual([room["name"] for room in listed], ["room_1", "room_2"])
         self.assertEqual([room["frames"] for room in listed],

@@ -1,3 +1,4 @@
+#include "engine/scene/labels.h"
 #include "tests/engine/datasets/tiny_datasets.h"
 #include "tests/support/imported_scene.h"
 
@@ -35,6 +36,30 @@ TEST(Urdf, LinksStandWhereJointsPutThem) {
     const Object* base = find(scene, "room::base");
     EXPECT_TRUE(scene.materials[scene.triangle_material[base->first_triangle]].base_color.isApprox(
         Eigen::Vector3f(0, 0, 1)));
+}
+
+// Two long walls are named; the narrow ends between them are only boxes.
+TEST(Urdf, WallsWithoutANameInAnEmptyHallwayAreStructure) {
+    const TempFolder folder;
+    std::string text = R"(<robot name="hall"><link name="base"/>)";
+    const auto box = [&](const std::string& name, double x, double y, const char* size) {
+        text += fmt::format(
+            R"(<link name="{0}"><visual><geometry><box size="{3}"/></geometry></visual></link>
+<joint name="j{0}" type="fixed"><origin xyz="{1} {2} 1.5"/><parent link="base"/><child link="{0}"/></joint>)",
+            name, x, y, size);
+    };
+    for (int i = 0; i < 3; ++i) {
+        box(fmt::format("left_wall_{}", i), 4.0 * i, 1.5, "4 0.2 3");
+        box(fmt::format("right_wall_{}", i), 4.0 * i, -1.5, "4 0.2 3");
+    }
+    box("side_a", -2.0, 0.0, "0.2 2.8 3");
+    box("side_b", 10.0, 1.2, "0.2 0.5 3");
+    const Scene scene = imported(folder.write("hall.urdf", text + "</robot>"));
+    ASSERT_EQ(scene.objects.size(), 8U);
+    for (const Object& object : scene.objects) {
+        EXPECT_EQ(object.role, Role::Structure) << object.name;
+        EXPECT_EQ(object.nyu40, kNyuWall) << object.name;
+    }
 }
 
 TEST(Urdf, TexturesCoverShapes) {

@@ -189,6 +189,7 @@ TEST(Repair, IsTheSameForAnyNumberOfThreads) {
     const Scene scene = longHall();
     for (const int max_frames : {0, 200}) {  // with a budget, repeated frames count, too
         PlanParams params = repaired(3);
+        params.timing.max_repeat_rate = 0.2;
         params.timing.max_frames = max_frames;
         std::vector<std::vector<double>> scores;
         for (const int threads : {1, 2, 5}) {

@@ -100,10 +100,10 @@ SlowChecker::Found SlowChecker::check(const Plan& plan, double radius_m, bool sh
             for (int i = 0; i <= steps; ++i) look(onCurve(piece, static_cast<double>(i) / steps));
         }
     }
-    const auto& frames = plan.trajectory.frames;
+    const std::vector<TrajectoryFrame> frames = motionFrames(plan.trajectory);
     for (const TrajectoryFrame& frame : frames) look(frame.pose.position);
     for (std::size_t i = 1; shaken && i < frames.size(); ++i) {
-        if (!followsOn(plan.trajectory, i)) continue;
+        if (frames[i].path != frames[i - 1].path) continue;
         const std::size_t path = frames[i].path;
         walkBeside(plan.smooth_paths[path], frames[i - 1], frames[i], look);
     }

@@ -69,13 +69,13 @@ Vector3d rotationBetween(const Quaterniond& from, const Quaterniond& to) {
 
 /// Checks the limits with finite differences of the emitted frames.
 void expectKept(const Trajectory& trajectory, const MotionLimits& limits, const std::string& what) {
-    const double dt = trajectory.frame_interval_s;
     const auto& frames = trajectory.frames;
+    const auto since = [&](std::size_t i) { return frames[i].time_s - frames[i - 1].time_s; };
     const auto velocity = [&](std::size_t i) -> Vector3d {
-        return (frames[i].pose.position - frames[i - 1].pose.position) / dt;
+        return (frames[i].pose.position - frames[i - 1].pose.position) / since(i);
     };
     const auto rate = [&](std::size_t i) -> Vector3d {
-        return rotationBetween(frames[i - 1].pose.rotation, frames[i].pose.rotation) / dt;
+        return rotationBetween(frames[i - 1].pose.rotation, frames[i].pose.rotation) / since(i);
     };
     double speed = 0.0;
     double acceleration = 0.0;
@@ -86,6 +86,8 @@ void expectKept(const Trajectory& trajectory, const MotionLimits& limits, const 
         speed = std::max(speed, velocity(i).norm());
         turn = std::max(turn, rate(i).norm());
         if (i < 2 || frames[i - 2].path != frames[i].path) continue;
+        const double dt =
+            0.5 * (since(i) + since(i - 1));  // between the midpoints of the two steps
         acceleration = std::max(acceleration, (velocity(i) - velocity(i - 1)).norm() / dt);
         turn_acceleration = std::max(turn_acceleration, (rate(i) - rate(i - 1)).norm() / dt);
     }

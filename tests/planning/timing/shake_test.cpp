@@ -51,6 +51,11 @@ TEST(Shake, TouchesNothing) {
             const double radius = params.camera.camera_radius_m;
             EXPECT_EQ(checker.check(*plan, radius, true).touching, 0);
             EXPECT_EQ(plan->trajectory_metrics.frame_collision_rate, 0.0);
+            PlanParams few = params;
+            few.timing.max_frames = 20;
+            const auto sparse = planOf(scene, few);
+            EXPECT_EQ(checker.check(*sparse, radius, true).touching, 0);
+            EXPECT_GE(sparse->trajectory_metrics.minimum_clearance.clearance_m, radius - 1e-6);
         }
     }
 }
@@ -119,6 +124,21 @@ TEST(Shake, RepeatsBySeedWhateverTheThreads) {
     EXPECT_EQ(text(1), text(4));
     const ShakeParams params = shakenBy(ShakeKind::Handheld, 0.05).shake;
     EXPECT_NE(CameraShake(params, 1).at(2.0), CameraShake(params, 2).at(2.0));
+}
+
+TEST(Shake, FramesThatWereLeftOutAreShakenTheSame) {
+    const Scene scene = test::furnishedRoom();
+    PlanParams params = shakenBy(ShakeKind::Handheld, 0.05);
+    params.gaze.view_mix = 0.0;  // context views depend on the number of frames
+    const Trajectory all = planOf(scene, params)->trajectory;
+    params.timing.max_frames = static_cast<int>(all.frames.size()) / 3;
+    const Trajectory fewer = planOf(scene, params)->trajectory;
+    ASSERT_LT(fewer.frames.size(), all.frames.size() / 2);
+    const std::vector<std::size_t> order = motionOrder(fewer);
+    ASSERT_EQ(order.size(), all.frames.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        EXPECT_EQ(motionFrame(fewer, order[i]).pose, all.frames[i].pose) << i;
+    }
 }
 
 TEST(Shake, SwaysWithinItsAmplitudeAtItsFrequency) {

@@ -1,11 +1,13 @@
 #include "planning/timing/time_trajectory.h"
 
+#include "engine/plan/plan_json.h"
 #include "planning/plan_params.h"
 #include "planning/timing/motion_limits.h"
 #include "planning/timing/turn.h"
 #include "tests/planning/timing/tour_support.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -66,15 +68,17 @@ void expectEveryKey(const Tour& tour, const Trajectory& trajectory) {
 
 void expectLimitsKept(const Trajectory& trajectory, const TimingParams& params) {
     const MotionLimits limits = motionLimits(params);
-    const double step = trajectory.frame_interval_s * limits.speed_mps;
-    const double turn = trajectory.frame_interval_s * limits.turn_rps;
     for (std::size_t i = 1; i < trajectory.frames.size(); ++i) {
         const TrajectoryFrame& a = trajectory.frames[i - 1];
         const TrajectoryFrame& b = trajectory.frames[i];
-        EXPECT_NEAR(b.time_s - a.time_s, trajectory.frame_interval_s, 1e-9);
+        const double step_s = b.time_s - a.time_s;
+        if (params.max_frames == 0) {
+            EXPECT_NEAR(step_s, trajectory.frame_interval_s, 1e-9);
+        }
         if (a.path != b.path) continue;
-        EXPECT_LE((b.pose.position - a.pose.position).norm(), step * 1.001) << i;
-        EXPECT_LE(angle(a.pose.rotation, b.pose.rotation), turn * 1.02) << i;
+        const double step_m = (b.pose.position - a.pose.position).norm();
+        EXPECT_LE(step_m, step_s * limits.speed_mps * 1.001) << i;
+        EXPECT_LE(angle(a.pose.rotation, b.pose.rotation), step_s * limits.turn_rps * 1.02) << i;
     }
 }
 
@@ -134,20 +138,51 @@ TEST(TimeTrajectory, StandsOnEveryKeyWithinTheLimits) {
     }
 }
 
-TEST(TimeTrajectory, ABudgetOfFramesKeepsEveryKey) {
+// A budget leaves out frames of the same motion, and none if it is large enough.
+TEST(TimeTrajectory, ABudgetOfFramesKeepsTheMotionAndEveryKey) {
     const Tour tour = threeKeysAndTwo();
-    for (const int budget : {5, 6, 9, 20, 60}) {
+    const auto all = tour.timed({});
+    ASSERT_TRUE(all.has_value());
+    for (const std::size_t budget : {5, 6, 9, 20, 60, 10'000}) {
         TimingParams params;
-        params.max_frames = budget;
+        params.max_frames = static_cast<int>(budget);
         const auto trajectory = tour.timed(params);
         ASSERT_TRUE(trajectory.has_value()) << budget;
-        EXPECT_LE(trajectory->frames.size(), static_cast<std::size_t>(budget));
+        EXPECT_EQ(trajectory->frames.size(), std::min(budget, all->frames.size()));
         expectEveryKey(tour, *trajectory);
         expectLimitsKept(*trajectory, params);
+        const std::vector<std::size_t> order = motionOrder(*trajectory);
+        ASSERT_EQ(order.size(), all->frames.size());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const TrajectoryFrame& frame = motionFrame(*trajectory, order[i]);
+            EXPECT_EQ(frame.time_s, all->frames[i].time_s);
+            EXPECT_EQ(frame.pose, all->frames[i].pose);
+        }
+        EXPECT_EQ(trajectory->frames.back().time_s, all->frames.back().time_s);
+        const auto read = trajectoryFromJson(trajectoryJson(*trajectory));
+        ASSERT_TRUE(read);
+        EXPECT_EQ(trajectoryJson(*read), trajectoryJson(*trajectory));
+        EXPECT_EQ(motionOrder(*read), order);
     }
     TimingParams params;
     params.max_frames = 4;
     EXPECT_FALSE(tour.timed(params).has_value());
+}
+
+TEST(TimeTrajectory, ABudgetOfFramesIsDistributedByWeight) {
+    Tour tour = threeKeysAndTwo();
+    const std::size_t all = tour.timed({})->frames.size();
+    TimingParams params;
+    params.max_frames = static_cast<int>(all / 2);
+    const auto framesOfFirstWay = [&] {
+        const auto trajectory = tour.timed(params);
+        EXPECT_EQ(trajectory->frames.size(), all / 2);
+        return std::ranges::find(trajectory->frames, 1, &TrajectoryFrame::position_point) -
+               trajectory->frames.begin();
+    };
+    const auto before = framesOfFirstWay();
+    tour.paths.front().keys[1].frame_weight = 4.0;
+    EXPECT_GT(framesOfFirstWay(), 1.5 * static_cast<double>(before));
 }
 
 TEST(TimeTrajectory, StopsAtTheTipOfACurveThatTurnsBack) {

@@ -32,27 +32,21 @@ struct Fixture {
 
 }  // namespace
 
-TEST(SurfaceSampler, TheSecondTurnRepeatsTheFirstAtAnyDetail) {
+TEST(ShownSurface, TheSecondTurnRepeatsTheFirst) {
     const Fixture f;
-    const Trajectory twice = twiceAround(6);
-    for (const auto detail : {SurfaceSampler::Detail::Fine, SurfaceSampler::Detail::Coarse}) {
-        SurfaceSampler sampler(f.views, detail);
-        const auto shown = sampler.sample(twice, JobContext{});
-        ASSERT_TRUE(shown);
-        EXPECT_EQ(shown->repeats(), 6);
-        EXPECT_EQ(shown->repeats({0, 6, 1, 7, 2}), 2);
-    }
+    const auto shown = measureShownSurface(f.views, twiceAround(6), JobContext{});
+    ASSERT_TRUE(shown);
+    EXPECT_DOUBLE_EQ(shown->repeatRate(), 0.5);
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(shown->repeats(i), i >= 6) << i;
+    EXPECT_GT(shown->object_pixels, 0.0);
 }
 
-TEST(SurfaceSampler, WhatIsRememberedChangesNoAnswer) {
+TEST(ShownSurface, ATrajectoryWithoutFramesShowsNothing) {
     const Fixture f;
-    SurfaceSampler sampler(f.views);
-    ASSERT_TRUE(sampler.sample(twiceAround(5), JobContext{}));
-    const auto later = sampler.sample(twiceAround(40), JobContext{});
-    const auto fresh = measureShownSurface(f.views, twiceAround(40), JobContext{});
-    ASSERT_TRUE(later && fresh);
-    EXPECT_DOUBLE_EQ(later->repeats() / 80.0, fresh->repeat_rate);
-    EXPECT_DOUBLE_EQ(later->objectPixels(), fresh->object_pixels);
+    const auto shown = measureShownSurface(f.views, {}, JobContext{});
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(shown->repeatRate(), 0.0);
+    EXPECT_EQ(shown->object_pixels, 0.0);
 }
 
 }  // namespace dollytrack::planning::shown_surface_test

@@ -1,6 +1,7 @@
 #include "render/sensors/exposure.h"
 
 #include "engine/camera/camera_motion.h"
+#include "render/scene/motion_hash.h"
 #include "render/scene/object_paths.h"
 #include "tests/support/scene_builder.h"
 
@@ -136,6 +137,21 @@ TEST(CameraMotion, FollowsTheCurveBetweenFramesAndNotItsChord) {
     EXPECT_GT((chord - exact).norm(), 1e-3) << "straight between the frames is somewhere else";
     EXPECT_LT((motion.poseAt(6, -0.05).position - between.position).norm(), 1e-12);
     EXPECT_EQ(motion.poseAt(5, 0.0), trajectory.frames[5].pose);
+}
+
+TEST(CameraMotion, PassesTheFramesThatWereLeftOut) {
+    const Trajectory all = turning();
+    std::vector<char> keep(all.frames.size(), 0);
+    for (const std::size_t kept : {0, 4, 9, 10, 11}) keep[kept] = 1;
+    const Trajectory fewer = keepOnly(all, keep);
+    ASSERT_EQ(fewer.frames.size(), 5U);
+    const CameraMotion motion(fewer);
+    EXPECT_EQ(motion.poseAt(1, 0.35), CameraMotion(all).poseAt(4, 0.35));
+    EXPECT_EQ(motion.poseAt(4, 0.1), all.frames[11].pose) << "a path of one frame";
+    // An export is not continued with another motion between the same frames.
+    Trajectory without = fewer;
+    without.left_out.clear();
+    EXPECT_NE(render::trajectoryHash(fewer), render::trajectoryHash(without));
 }
 
 TEST(CameraMotion, GoesStraightOnAtTheEndsAndStandsStillAlone) {

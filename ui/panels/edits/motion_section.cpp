@@ -1,6 +1,7 @@
 #include "ui/panels/edits/motion_section.h"
 
 #include "planning/motions/key_motion.h"
+#include "planning/motions/move_settings.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
 #include "ui/widgets/fields/choice_combo.h"
@@ -101,8 +102,13 @@ void drawState(const MotionView& view, MotionActions& actions) {
         has_keys ? fmt::format("{} key{}, {:.1f} s", motion.keys.size(),
                                motion.keys.size() == 1 ? "" : "s", motion.duration_s())
                  : "Without a name";
-    cutText(motion.name.empty() ? nameless : motion.name, ImGui::GetStyleColorVec4(ImGuiCol_Text),
-            fmt::format("{} {}, {:.1f} s", has_keys ? motion.keys.size() : motion.frames.size(),
+    const Result<planning::MoveRequest> move = planning::parseMove(motion.name);
+    const std::string title = motion.name.empty() ? nameless
+                              : move              ? planning::settingLabel(move->kind)
+                                                  : motion.name;
+    cutText(title, ImGui::GetStyleColorVec4(ImGuiCol_Text),
+            fmt::format("{}{} {}, {:.1f} s", move ? motion.name + "\n" : "",
+                        has_keys ? motion.keys.size() : motion.frames.size(),
                         has_keys ? "keys" : "frames", motion.duration_s()),
             Cut::Middle);
     if (view.plan == nullptr) {
@@ -115,9 +121,9 @@ void drawState(const MotionView& view, MotionActions& actions) {
     }
     drawCollisions(view, actions);
     if (!view.change.empty()) paragraph(view.change, palette().text_dim);
-    if (view.can_compare &&
+    if (view.why_not_compare &&
         button("Compare with unrepaired path", "edits.motion.compare",
-               {.why_not = view.why_not_compare,
+               {.why_not = *view.why_not_compare,
                 .tip = "Show both paths and their metrics (panel Metrics); replaces the plan kept "
                        "for comparison",
                 .small = true})) {

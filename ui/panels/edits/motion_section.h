@@ -31,12 +31,12 @@ struct MotionView {
     std::string why_no_key;        // why no key can be added now; empty: it can
     std::string why_no_replacing;  // why no key can be replaced by the view now; empty: one can
     std::string change;            // what the last repair or obstacles to a move changed; or empty
-    bool can_compare = false;      // whether the path is the result of a repair
-    std::string why_not_compare;   // why it cannot be compared with the one before; empty: it can
-    bool can_read_again = false;   // whether the path is from a file
-    int world = 0;                 // its coordinate system, index in motionWorlds()
-    bool busy = false;             // a path is being read, repaired or made
-    double fraction = 0.0;         // of that, 0..1
+    std::optional<std::string> why_not_compare;  // with the path before its repair; empty: it can;
+                                                 // none: it is not the result of a repair
+    bool can_read_again = false;                 // whether the path is from a file
+    int world = 0;                               // its coordinate system, index in motionWorlds()
+    bool busy = false;                           // a path is being read, repaired or made
+    double fraction = 0.0;                       // of that, 0..1
     std::string stage;
 };
 

@@ -116,6 +116,8 @@ void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& ac
     ImGui::Checkbox(keep, &draft.keep_ratio);
     nameItem("export.keep_ratio");
     tooltip("Width and height change together");
+    formLine("");
+    cutText("Another size starts a new plan.", palette().text_dim);
 }
 
 void drawFrames(const ExportView& view, ExportDraft& draft) {
@@ -290,8 +292,8 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
     if (wide) {
         actions.missing_height = -height;
         // An empty queue needs no column, and in a wide panel the formats have one of their own.
-        const bool apart = room.x >= scaled(queue ? 1500 : 1000);
-        const std::array<float, 4> shares = queue ? (apart ? std::array{0.25F, 0.31F, 0.24F, 0.2F}
+        const bool apart = room.x >= scaled(queue ? 1150 : 1000);
+        const std::array<float, 4> shares = queue ? (apart ? std::array{0.26F, 0.28F, 0.23F, 0.23F}
                                                            : std::array{0.33F, 0.41F, 0.0F, 0.26F})
                                                   : (apart ? std::array{0.32F, 0.37F, 0.31F, 0.0F}
                                                            : std::array{0.42F, 0.58F, 0.0F, 0.0F});

@@ -91,7 +91,7 @@ void drawTrajectory(const Plan& plan, bool measured) {
         std::count_if(plan.trajectory.frames.begin(), plan.trajectory.frames.end(),
                       [](const TrajectoryFrame& frame) { return frame.position_point >= 0; });
     row("Frames", fmt::format("{}, {} key frames", frames, keys));
-    row("Duration", fmt::format("{:.1f} s", planning::durationOf(plan.trajectory)));
+    row("Duration", fmt::format("{:.1f} s", durationOf(plan.trajectory)));
     double length = 0.0;
     double clearance = plan.smooth_paths.empty() ? 0.0 : 1e9;
     for (const SmoothPath& path : plan.smooth_paths) {

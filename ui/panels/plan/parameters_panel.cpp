@@ -64,14 +64,10 @@ ParametersActions drawParametersPanel(const ParametersView& view, const FieldLis
             }
         }
         if (!table) continue;
+        const auto note = view.notes.find(field.name);
         const FieldEdit edit = drawField(field, (*view.standard)[i], "parameters." + field.name,
-                                         withoutEffectBy(draft, field));
-        if (const auto note = view.notes.find(field.name); note != view.notes.end()) {
-            ImGui::PushTextWrapPos(0.0F);
-            ImGui::TextColored(palette().warning, "%s", note->second.c_str());
-            ImGui::PopTextWrapPos();
-            nameItem("parameters." + field.name + ".used");
-        }
+                                         {withoutEffectBy(draft, field),
+                                          note != view.notes.end() ? note->second : std::string()});
         if (edit.changed || edit.finished) {
             actions.edited = field.name;
             actions.finished = actions.finished || edit.finished;

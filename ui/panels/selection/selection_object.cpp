@@ -207,7 +207,7 @@ void drawRow(const LedgerRow& row) {
     if (row.loss) {
         std::string words(name(*row.loss));
         std::ranges::replace(words, '_', ' ');
-        formText("Lost as", words);
+        formText("Reason", words);
     }
     if (row.frame < 0) return;
     formText("Seen from", fmt::format("{:.2f} m, {:.1f} s into the path{}", row.distance_m,

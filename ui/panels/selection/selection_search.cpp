@@ -1,3 +1,4 @@
+#include "engine/core/text_lists.h"
 #include "engine/plan/object_key.h"
 #include "ui/panels/edits/edit_parts.h"
 #include "ui/panels/selection/selection_details.h"
@@ -90,7 +91,10 @@ void drawSearch(const SelectionView& view, int observation_point, SelectionActio
         ImGui::TextColored(palette().bad, "No position point");
     }
     if (search.candidates.empty()) return;
-    ImGui::TextColored(palette().text_dim, "%zu candidates were tested:", search.candidates.size());
+    ImGui::TextColored(
+        palette().text_dim, "%s:",
+        counted(search.candidates.size(), "candidate was tested", "candidates were tested")
+            .c_str());
     const std::vector<Outcome> outcomes = outcomesOf(search);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         drawOutcome(view, observation_point, outcomes[i], i, actions);

@@ -87,8 +87,9 @@ void drawPlace(const TimelineView& view, TimelineActions& actions) {
     tooltip(any ? "Drag, or Ctrl+click to type a frame" : kNoFrames);
     ImGui::SameLine();
     auto time = static_cast<float>(timeOf(view, view.frame));
+    const double step_s = timeOf(view, view.frame + 1) - timeOf(view, view.frame);
     ImGui::SetNextItemWidth(scaled(78));
-    if (ImGui::DragFloat("##time", &time, static_cast<float>(0.3 * view.frame_interval_s), 0.0F,
+    if (ImGui::DragFloat("##time", &time, static_cast<float>(0.3 * step_s), 0.0F,
                          static_cast<float>(timeOf(view, last)), "%.2f s",
                          ImGuiSliderFlags_AlwaysClamp) &&
         view.frame_interval_s > 0.0) {

@@ -46,11 +46,12 @@ double tickSeconds(double seconds_per_pixel) {
 void drawRuler(const TimelineView& view, const FrameAxis& axis, const Rows& rows) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const ImU32 line = ImGui::GetColorU32(palette().panel_line);
-    const double interval = view.frame_interval_s > 0.0 ? view.frame_interval_s : 1.0;
-    const double step = tickSeconds(interval / axis.pixelsPerFrame());
+    const double shown_s = timeOf(view, axis.first() + axis.shown()) - timeOf(view, axis.first());
+    const double step = tickSeconds(shown_s / (axis.right() - axis.left()));
     // A frame's time is at the centre of its interval, like the playhead and the key frames.
     const double begin = timeOf(view, std::max(axis.first() - 0.5, 0.0));
     const auto first = static_cast<long>(std::ceil(begin / step));
+    float free = axis.left();  // right of the last text
     for (long i = first;; ++i) {
         const double seconds = static_cast<double>(i) * step;
         const auto x = static_cast<float>(axis.xOf(frameAt(view, seconds) + 0.5));
@@ -58,7 +59,9 @@ void drawRuler(const TimelineView& view, const FrameAxis& axis, const Rows& rows
         list->AddLine({x, rows.ruler}, {x, rows.bottom}, line);
         nameArea(fmt::format("timeline.tick.{:g}", seconds), x, rows.ruler, x + 1, rows.bottom);
         const std::string text = fmt::format("{:.{}f} s", seconds, step < 1.0 ? 1 : 0);
-        if (x + ImGui::CalcTextSize(text.c_str()).x + scaled(4) < axis.right()) {
+        const float end = x + ImGui::CalcTextSize(text.c_str()).x + scaled(4);
+        if (x >= free && end < axis.right()) {
+            free = end;
             list->AddText({x + scaled(4), rows.ruler}, ImGui::GetColorU32(palette().text_dim),
                           text.c_str());
         }

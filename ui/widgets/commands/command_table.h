@@ -28,8 +28,8 @@ struct Command {
     std::function<std::string()> why_not = {};  // returns why the command cannot run; empty: it can
     std::function<bool()> checked = {};         // for on/off commands: whether it is on
     Shortcut other_shortcut = {};               // does the same
-    std::string submenu =
-        {};  // title of a menu within that of the group; its commands are adjacent
+    // Title of a menu within that of the group; its commands are adjacent.
+    std::string submenu = {};
 
     [[nodiscard]] std::string keys() const;  // "Ctrl+Shift+Z, Ctrl+Y"
     [[nodiscard]] bool canRun() const { return !why_not || why_not().empty(); }

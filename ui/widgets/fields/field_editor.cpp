@@ -107,12 +107,13 @@ void copyValue(const Field& from, const Field& to) {
         from.value);
 }
 
-void explainField(const Field& field, const Field& standard,
-                  const std::string& no_effect_with = {}) {
+void explainField(const Field& field, const Field& standard, const FieldNotes& notes = {}) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(scaled(340));
-    if (!no_effect_with.empty()) {
-        ImGui::TextColored(palette().warning, "No effect with %s", no_effect_with.c_str());
+    // The tooltip may cover the note below the field.
+    if (!notes.note.empty()) ImGui::TextColored(palette().warning, "%s", notes.note.c_str());
+    if (!notes.no_effect_with.empty()) {
+        ImGui::TextColored(palette().warning, "No effect with %s", notes.no_effect_with.c_str());
     } else if (const std::string condition(field.onlyWith()); !condition.empty()) {
         ImGui::TextDisabled("Only with %s", condition.c_str());
     }
@@ -155,13 +156,13 @@ FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::s
 }
 
 FieldEdit drawField(const Field& field, const Field& standard, const std::string& path,
-                    const std::string& no_effect_with) {
+                    const FieldNotes& notes) {
     FieldEdit result;
     ImGui::PushID(field.name.c_str());
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const float alpha = ImGui::GetStyle().Alpha;
-    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, no_effect_with.empty() ? alpha : 0.45F * alpha);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, notes.no_effect_with.empty() ? alpha : 0.45F * alpha);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(readableName(field).c_str());
     bool hovered = ImGui::IsItemHovered();
@@ -180,7 +181,7 @@ FieldEdit drawField(const Field& field, const Field& standard, const std::string
     result = drawWidget(field, path);
     hovered = hovered || (!result.says && ImGui::IsItemHovered());
     if (!is_choice) ImGui::PopStyleVar();
-    if (hovered) explainField(field, standard, no_effect_with);
+    if (hovered) explainField(field, standard, notes);
     if (differs) {
         ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
         if (ImGui::Button("\u21ba", {reset_width, 0})) {
@@ -191,6 +192,12 @@ FieldEdit drawField(const Field& field, const Field& standard, const std::string
         if (ImGui::IsItemHovered()) {
             ImGui::SetTooltip("Reset to %s", standard.valueText().c_str());
         }
+    }
+    if (!notes.note.empty()) {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextColored(palette().warning, "%s", notes.note.c_str());
+        ImGui::PopTextWrapPos();
+        nameItem(path + ".used");
     }
     ImGui::PopID();
     return result;

@@ -7,14 +7,20 @@
 
 namespace dollytrack::ui {
 
+/// What the user should know about the current value of a field; empty: nothing.
+struct FieldNotes {
+    /// The value of another parameter because of which this one has no effect ("shake=none"). The
+    /// row is dimmed, and the tooltip says why; the value can still be edited.
+    std::string no_effect_with;
+    std::string note;  // below the field and in the tooltip
+};
+
 /// Draws a row of a two-column table: name with its symbol in the method's paper, widget with unit,
 /// and a reset button if the value differs from `standard` (the same field of a default-constructed
 /// struct). The tooltip shows description, range and default. `path` is the widget's name in the
-/// item map: "parameters.fill". `no_effect_with` names the value of another parameter because of
-/// which this one has no effect ("shake=none"); the row is then dimmed, and the tooltip says why.
-/// The value can still be edited.
+/// item map: "parameters.fill".
 FieldEdit drawField(const Field& field, const Field& standard, const std::string& path,
-                    const std::string& no_effect_with = {});
+                    const FieldNotes& notes = {});
 
 /// Draws only the widget, with the width set by SetNextItemWidth().
 FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::string& path);
