@@ -199,7 +199,7 @@ class ExportFolder(FolderCase):
         scene = self.scene_with(Licence_TXT=mit, ATTRIBUTION_md=credits, licenses_json=b"{}",
                                 room_mtl=b"")
         out = self.new_folder()
-        self.assertNotIn("left out", self.export_scene(scene, out))
+        self.assertNotIn("left out of the dataset", self.export_scene(scene, out))
         text = (out / "LICENSES").read_bytes()
         self.assertEqual(text, credits + b"\n\n" + mit)
         card = json.loads((out / "dataset.json").read_text())
@@ -233,7 +233,7 @@ class ExportFolder(FolderCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual((out / "LICENSES").read_text(), "beside\n\nfolder\n")
         self.assertNotIn("licence", result.stderr)
-        self.assertNotIn("left out", result.stderr)
+        self.assertNotIn("left out of the dataset", result.stderr)
 
     def test_other_licences_make_another_dataset(self):
         scene = self.scene_with(LICENSE=b"first\n")
