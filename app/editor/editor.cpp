@@ -176,6 +176,12 @@ void Editor::noteOpening() {
     textures_note_ = missing > 0 && !settings_.hasSeen(missing_textures_note_);
 }
 
+void Editor::noteCurrentTime() {
+    const auto frame = static_cast<std::size_t>(playback_.frame());
+    if (plan() == nullptr || frame >= plan()->trajectory.frames.size()) return;
+    current_time_s_ = plan()->trajectory.frames[frame].time_s;
+}
+
 void Editor::keepCurrentTime() {
     if (plan() == nullptr || frameCount() == 0) return;
     const std::vector<TrajectoryFrame>& frames = plan()->trajectory.frames;
@@ -227,9 +233,7 @@ bool Editor::frame() {
     followMoveForm();
     followComparison();
     play();
-    if (plan() != nullptr && frameCount() > 0) {
-        current_time_s_ = plan()->trajectory.frames[playback_.frame()].time_s;
-    }
+    noteCurrentTime();
     followTracks();
     dropOutdatedKeySelection();
     // Keys belong to an open menu or popup: Escape closes it (already handled) and must do nothing
@@ -462,6 +466,7 @@ void Editor::selectObject(int object, bool add) {
 void Editor::goToFrame(int frame) {
     stored_frame_.reset();
     playback_.goTo(frame);
+    noteCurrentTime();
     panels_.preview.shows_selection = false;
 }
 

@@ -90,6 +90,7 @@ class Editor {
     void setTheme();
     void play();
     /// Duration of the frame at the playhead.
+    void noteCurrentTime();
     /// Goes to the frame of a new plan nearest to the time of the playhead, as its frames may have
     /// other numbers.
     void keepCurrentTime();

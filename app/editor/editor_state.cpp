@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <tuple>
 
 namespace dollytrack::editor {
 
@@ -192,19 +193,26 @@ void Editor::addViewTo(nlohmann::json& state) {
 
 nlohmann::json Editor::viewToStore() const {
     const ui::ViewerCamera& camera = panels_.viewport.camera;
-    return {{"camera",
-             {{"pivot", {camera.pivot.x(), camera.pivot.y(), camera.pivot.z()}},
-              {"azimuth", camera.azimuth},
-              {"elevation", camera.elevation},
-              {"distance", camera.distance},
-              {"orthographic", camera.orthographic ? 1 : 0}}},
-            {"frame", stored_frame_.value_or(playback_.frame())},
-            {"hidden", numbersOf(selected_.hidden())},
-            {"export",
-             {{"folder", panels_.export_draft.folder},
-              {"first", panels_.export_draft.first},
-              {"last", panels_.export_draft.last},
-              {"step", panels_.export_draft.step}}}};
+    nlohmann::json view = {{"camera",
+                            {{"pivot", {camera.pivot.x(), camera.pivot.y(), camera.pivot.z()}},
+                             {"azimuth", camera.azimuth},
+                             {"elevation", camera.elevation},
+                             {"distance", camera.distance},
+                             {"orthographic", camera.orthographic ? 1 : 0}}},
+                           {"frame", stored_frame_.value_or(playback_.frame())},
+                           {"hidden", numbersOf(selected_.hidden())}};
+    const ui::ExportDraft& draft = panels_.export_draft;
+    const ui::ExportDraft unchanged;
+    const auto chosen = [](const ui::ExportDraft& one) {
+        return std::tie(one.folder, one.first, one.last, one.step);
+    };
+    if (chosen(draft) != chosen(unchanged)) {
+        view["export"] = {{"folder", draft.folder},
+                          {"first", draft.first},
+                          {"last", draft.last},
+                          {"step", draft.step}};
+    }
+    return view;
 }
 
 void Editor::restoreView() {
