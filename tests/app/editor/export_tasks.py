@@ -243,6 +243,9 @@ class Exporting(Task):
         self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 2, "two frames")
         self.press_job(job, "cancel")
         self.finished(job, CANCELLED)
+        # The state is written to disk in the background.
+        self.editor.wait(lambda _: any('"settled"' in note.read_text() for note
+                                       in self.editor.home.rglob("export-*.json")), "the note")
         self.editor.kill()
         self.start()
         now = self.editor.wait(lambda now: now["exports"], "the queue")
