@@ -193,9 +193,9 @@ template <class Params, class Visitor>
 void visitGazeParams(Params& p, Visitor&& visit) {
     visit("view_mix", p.view_mix,
           FieldInfo{0, 1, "",
-                    "Weight of views that show many objects at once: room views take this share of "
-                    "the spare frames, and higher values make looking across the room between "
-                    "close views cheaper in turning time; 0: close views only"});
+                    "Weight of views that show many objects at once: higher values give more room "
+                    "views, and make looking across the room between close views cheaper in "
+                    "turning time; 0: close views only"});
     visit("trackability", p.trackability,
           ChoiceInfo{{"auto", "off", "on"},
                      "on: between key frames the camera prefers views with at least about 350 "
@@ -258,8 +258,8 @@ void visitTimingParams(Params& p, Visitor&& visit) {
         "max_frames", p.max_frames,
         FieldInfo{
             0, 1e6, "",
-            "Largest number of frames. The motion does not change; frames between views are left "
-            "out, mostly where few objects are in view. Spare frames are used for room views. With "
+            "Largest number of frames. Frames between views are left out, mostly where few objects "
+            "are in view. A small number also leaves out room views, which shortens the path. With "
             "a fixed frame rate, fewer objects are visited. 0: no limit"});
     visit("max_repeat_rate", p.max_repeat_rate,
           FieldInfo{

@@ -114,7 +114,7 @@ std::string CandidateTally::reason(const Scene& scene) const {
     const double best = 100.0 * most_visible_;
     if (legal_ > 0) {
         return fmt::format(
-            "It is almost captured from {} of {} candidates, but dense sampling shows too little "
+            "{} of {} candidates seemed to capture it, but a count of its pixels shows too little "
             "of it.",
             legal_, tried_);
     }

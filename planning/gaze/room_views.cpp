@@ -42,8 +42,8 @@ constexpr double kOtherSides = 0.25;    // weight of views from other sides
 constexpr double kWorthTheWay_m = 3.0;  // distance from other views at which a view must gain twice
                                         // as much
 constexpr double kFramesPerView = 3.0;  // frames that a key frame and the path to it take
-constexpr double kMostPerKeyFrame = 2.0;
-constexpr double kLeastGain = 0.1;  // relative to the first view
+constexpr double kMostPerKeyFrame = 2.25;  // with view_mix=1
+constexpr double kLeastGain = 0.1;         // relative to the first view
 
 struct ShownTarget {
     std::size_t target = 0;
@@ -235,15 +235,16 @@ class RoomViewSearch {
     std::vector<Choice> choices_;
 };
 
-/// Number of room views for a tour of `key_frames`: the share view_mix of the frames left by the
-/// budget (without one, of half the key frames), at most two per key frame.
+/// Largest number of room views for a tour of `key_frames`: view_mix times kMostPerKeyFrame for
+/// each key frame, or times the number of views that the budget of frames allows beside the key
+/// frames, whichever is smaller.
 std::size_t mostRoomViews(const PlanParams& params, std::size_t key_frames) {
     const auto keys = static_cast<double>(key_frames);
-    const double spare = params.timing.max_frames > 0
-                             ? params.timing.max_frames / kFramesPerView - keys
-                             : 0.5 * keys;
-    return static_cast<std::size_t>(
-        std::clamp(params.gaze.view_mix * spare, 0.0, kMostPerKeyFrame * keys));
+    double most = kMostPerKeyFrame * keys;
+    if (params.timing.max_frames > 0) {
+        most = std::clamp(params.timing.max_frames / kFramesPerView - keys, 0.0, most);
+    }
+    return static_cast<std::size_t>(params.gaze.view_mix * most);
 }
 
 }  // namespace

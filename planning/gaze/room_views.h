@@ -12,11 +12,11 @@ struct PlanParams;
 
 /// Adds views that show many objects at once from the middle of the rooms, at eye level, as
 /// position points marked room_view, each with an observation point where it looks. Their number is
-/// the share view_mix of what the budget of frames leaves beside the key frames; fewer where
-/// further views would add little. Greedy maximum coverage with diminishing returns: an object
-/// counts less the more views show it, above all from the same side; the gain is weighed against
-/// the distance from the other key frames. Each view lies in a component of free space that holds
-/// key frames.
+/// at most about two per key frame, fewer with a small view_mix or budget of frames, and fewer
+/// where further views would add little. Greedy maximum coverage with diminishing returns: an
+/// object counts less the more views show it, above all from the same side; the gain is weighed
+/// against the distance from the other key frames. Each view lies in a component of free space that
+/// holds key frames.
 void addRoomViews(const PlanParams& params, const PlanningEnvironment& environment,
                   Viewpoints& viewpoints);
 

@@ -28,7 +28,7 @@ struct TimingParams;
 /// Error: Failed, for a clip too short for the views that must be visited.
 [[nodiscard]] tl::unexpected<Error> tooShortClip(const TimingParams& params);
 
-/// Mean number of frames per second within paths.
+/// Mean number of frames per second; jumps from one path to the next do not count as time.
 [[nodiscard]] double meanFrameRate(const Trajectory& trajectory);
 
 /// The parameter because of which frames were left out, max_frames or max_repeat_rate; empty if

@@ -7,10 +7,10 @@
 
 namespace dollytrack::planning {
 
-/// The camera's motion between two successive frames of the motion, those left out included, as
-/// connected curves: along the path, plus an offset interpolated linearly in arc length between the
-/// frames' offsets from the path (by shake). This motion is the one proven collision-free and
-/// measured.
+/// The camera's motion from one frame to the next, as connected curves: along the path, plus an
+/// offset interpolated linearly in arc length between the frames' offsets from the path (by shake).
+/// The next frame may be one that was left out, see motionFrames(). This motion is the one proven
+/// collision-free and measured.
 std::vector<SmoothPath::Piece> moveBetween(const SmoothPath& path, const TrajectoryFrame& from,
                                            const TrajectoryFrame& to);
 

@@ -20,8 +20,8 @@ struct TimingParams;
 /// left out, fewer of them where Key::frame_weight is large, down to one frame per key. With
 /// `duration_s` the motion is slowed to fill the clip exactly. Under a heading limit the camera
 /// looks along its motion (see withHeadingKeys()), and turns on the spot need frames as well.
-/// Errors: Failed if there are more keys than `max_frames`; Usage if there would be more than a
-/// million frames without `max_frames`; with it the frame interval is lengthened instead.
+/// Errors: Failed if there are more keys than `max_frames`; Usage if the motion takes more than a
+/// million frames and `max_frames` is not set. If it is set, the frame interval is lengthened.
 Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
                                   const std::vector<PositionPoint>& position_points,
                                   const std::vector<ObservationPoint>& observation_points,

@@ -10,8 +10,8 @@ namespace dollytrack::planning {
 
 class ViewEstimator;
 
-/// What the images of a trajectory show, sampled by a grid of rays for each and in surface patches
-/// of 0.1 m; see TrajectoryMetrics.
+/// What the images of a trajectory show, by a grid of rays for each image. The surface is divided
+/// into patches of 0.1 m; TrajectoryMetrics has the definition of a repeated frame.
 struct ShownSurface {
     /// By frame: the number of patches that no frame before it shows, as a share of the rays.
     std::vector<double> new_shares;

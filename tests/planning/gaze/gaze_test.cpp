@@ -356,6 +356,23 @@ TEST(RoomViews, AreTheFirstToGoUnderABudgetOfFrames) {
     EXPECT_GT(roomViewsWithin(10 * keys), roomViewsWithin(4 * keys));
 }
 
+TEST(RoomViews, AreTheSameWithoutABudgetAndWithOneThatLeavesOutNoFrame) {
+    const Scene scene = furnishedHall();
+    const auto unlimited = planOf(scene, withContext(0.9));
+    const std::size_t frames = unlimited->trajectory.frames.size();
+    for (const std::size_t max_frames : {frames, frames + 1, 2 * frames, 20 * frames}) {
+        PlanParams params = withContext(0.9);
+        params.timing.max_frames = static_cast<int>(max_frames);
+        const auto plan = planOf(scene, params);
+        ASSERT_EQ(plan->trajectory.frames.size(), frames) << max_frames;
+        for (std::size_t i = 0; i < frames; ++i) {
+            EXPECT_EQ(plan->trajectory.frames[i].time_s, unlimited->trajectory.frames[i].time_s);
+            EXPECT_EQ(plan->trajectory.frames[i].pose.position,
+                      unlimited->trajectory.frames[i].pose.position);
+        }
+    }
+}
+
 TEST(RoomViews, SeeNoObjectThroughAWall) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {8, 4, 2.6});

@@ -50,7 +50,7 @@ struct Treated {
         PlanParams now = params;
         PlanEdits with = edits;
         const Remedy& remedy = *row.remedy;
-        ProjectState state{toJson(listFields(now)), {{}, with}};
+        ProjectState state{.parameters = toJson(listFields(now)), .edits = {{}, with}};
         const auto done = applyOperations(state, changed, setParameter,
                                           remedyOperations(changed, row.object_id, remedy));
         EXPECT_TRUE(done) << describe(done.error());
