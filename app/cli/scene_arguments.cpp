@@ -151,7 +151,7 @@ void addNew(std::vector<std::string>& list, const std::vector<std::string>& more
 
 /// The project's edits, extended by the command line.
 Result<Edits> withArguments(Edits edits, const SceneArguments& arguments, const Scene& imported) {
-    ProjectState state{nlohmann::json::object(), std::move(edits)};
+    ProjectState state{.edits = std::move(edits)};
     if (!arguments.one_of_several && !(arguments.ignore.empty() && arguments.only.empty())) {
         const Result<Scene> edited = applySceneEdits(imported, state.edits.scene);
         if (!edited) return tl::unexpected(edited.error());

@@ -97,7 +97,7 @@ void Editor::setTheme() {
 }
 
 void Editor::refreshScene() {
-    if (workspace_.takeOpened()) {
+    if (const auto news = workspace_.takeNewScene(); news != Workspace::NewScene::None) {
         keepPicture();
         has_picture_ = false;
         selected_.forget();
@@ -118,20 +118,26 @@ void Editor::refreshScene() {
         read_motions_.clear();
         repaired_motion_ = {};
         before_repair_.reset();
+        place_before_repair_.reset();
         saved_path_.clear();
         current_time_s_ = 0.0;
         made_motion_ = {};
         recorded_key_.reset();
-        questions_.forgetProject();
-        panels_.export_draft.forgetProject();
-        // The autosave copy belongs to the previous project.
-        autosave_.discard();
-        autosave_.replaces(workspace_.restoredFrom());
         dropGizmo();
-        noted_file_.clear();
         noteOpening();
         drawing_.setScene({});
-        restoreView();
+        stored_frame_.reset();
+        if (news == Workspace::NewScene::Opened) {
+            questions_.forgetProject();
+            panels_.export_draft.forgetProject();
+            // The autosave copy belongs to the previous project.
+            autosave_.discard();
+            autosave_.replaces(workspace_.restoredFrom());
+            noted_file_.clear();
+            restoreView();
+        } else {
+            import_bar_dismissed_ = false;  // it says how the scene was read, or what is doubtful
+        }
     }
     const PlanOutcome& shown = workspace_.shown();
     selected_.follow(shown.objects);
@@ -141,6 +147,7 @@ void Editor::refreshScene() {
         keepCurrentTime();
         if (plan() != nullptr && stored_frame_) goToFrame(*std::exchange(stored_frame_, {}));
         goToRecordedKey();
+        stayAfterRepair();
         if (plan() != nullptr) {
             step_playback_.goTo(
                 std::min(step_playback_.taken(), plan()->roadmap.steps.steps.size()));
@@ -180,6 +187,16 @@ void Editor::noteCurrentTime() {
     const auto frame = static_cast<std::size_t>(playback_.frame());
     if (plan() == nullptr || frame >= plan()->trajectory.frames.size()) return;
     current_time_s_ = plan()->trajectory.frames[frame].time_s;
+}
+
+void Editor::stayAfterRepair() {
+    if (!place_before_repair_ || plan() == nullptr || !workspace_.planIsCurrent()) return;
+    const Eigen::Vector3d place = *std::exchange(place_before_repair_, std::nullopt);
+    const auto& frames = plan()->trajectory.frames;
+    const auto nearest = std::ranges::min_element(frames, {}, [&](const TrajectoryFrame& frame) {
+        return (frame.pose.position - place).squaredNorm();
+    });
+    if (nearest != frames.end()) goToFrame(static_cast<int>(nearest - frames.begin()));
 }
 
 void Editor::keepCurrentTime() {

@@ -89,11 +89,14 @@ class Editor {
     void rememberSettings();
     void setTheme();
     void play();
-    /// Duration of the frame at the playhead.
+    /// Remembers the time of the playhead.
     void noteCurrentTime();
     /// Goes to the frame of a new plan nearest to the time of the playhead, as its frames may have
     /// other numbers.
     void keepCurrentTime();
+    /// After a repair, which may change all times: goes to the frame nearest to the place before.
+    void stayAfterRepair();
+    /// Duration of the frame at the playhead.
     [[nodiscard]] double secondsToNextFrame() const;
     /// Whether a dialog is open, which then has the keyboard.
     [[nodiscard]] bool dialogIsOpen() const;
@@ -352,6 +355,7 @@ class Editor {
     // editor_dialogs.cpp
     void drawDialogs();
     void askForFile(const std::string& id);
+    void askForUnit();
     void answerFile(const ui::FileAnswer& answer);
     void answerExportFile(const ui::FileAnswer& answer);
     [[nodiscard]] Questions::Callbacks questionCallbacks();
@@ -481,11 +485,12 @@ class Editor {
     std::vector<ReadMotion> read_motions_;
     SharedMotion repaired_motion_;           // result of the last repair
     std::optional<KeptPlan> before_repair_;  // the plan before that repair
-    std::filesystem::path saved_path_;       // file of the camera path saved last, until hidden
     std::string motion_change_;              // what that repair changed
+    std::filesystem::path saved_path_;       // file of the camera path saved last, until hidden
     std::weak_ptr<const Scene> scene_of_letters_;  // see loadLettersOf()
-    double current_time_s_ = 0.0;                  // of the current frame
-    std::optional<int> stored_frame_;       // stored frame of a project whose plan is awaited
+    double current_time_s_ = 0.0;      // of the playhead; it stays when the plan changes
+    std::optional<int> stored_frame_;  // stored frame of a project whose plan is awaited
+    std::optional<Eigen::Vector3d> place_before_repair_;  // of the playhead, if a plan is awaited
     std::optional<double> recorded_key_s_;  // time of a key that the playhead shall move to
     SharedMotion made_motion_;              // result of the last camera move
     std::string move_note_;                 // how obstacles changed that move

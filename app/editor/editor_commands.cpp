@@ -66,22 +66,19 @@ void Editor::addFileCommands() {
                    [this] { askForFile("save"); }, needs_project});
     for (const UpAxis axis : {UpAxis('x'), UpAxis('y'), UpAxis('z'), UpAxis('x', true),
                               UpAxis('y', true), UpAxis('z', true)}) {
-        commands_.add({"file.up_axis." + axis.text(),
-                       "File",
-                       "Read the scene with " + axis.text() + " up",
-                       {},
-                       [this, axis] {
-                           nlohmann::json import = workspace_.importSettings();
-                           import["up_axis"] = axis.text();
-                           workspace_.readAgain(import);
-                       },
-                       needs_project,
-                       [this, axis] {
-                           return workspace_.isOpen() &&
-                                  workspace_.importReport().up_axis == axis.text();
-                       },
-                       {},
-                       "Upward axis"});
+        const std::string title = "Read the scene with " + axis.text() + " up";
+        commands_.add(
+            {"file.up_axis." + axis.text(),
+             "File",
+             title,
+             {},
+             [this, axis, title] { workspace_.changeImport("up_axis", axis.text(), title); },
+             needs_project,
+             [this, axis] {
+                 return workspace_.isOpen() && workspace_.importReport().up_axis == axis.text();
+             },
+             {},
+             "Upward axis"});
     }
     struct LengthUnit {
         const char* id;
@@ -94,14 +91,13 @@ void Editor::addFileCommands() {
                                             {"foot", "feet", 0.3048},
                                             {"m", "metres", 1.0}};
     for (const LengthUnit& unit : kUnits) {
+        const std::string title = std::string("Read the scene in ") + unit.name;
         commands_.add({std::string("file.unit.") + unit.id,
                        "File",
-                       std::string("Read the scene in ") + unit.name,
+                       title,
                        {},
-                       [this, unit_m = unit.unit_m] {
-                           nlohmann::json import = workspace_.importSettings();
-                           import["unit_m"] = unit_m;
-                           workspace_.readAgain(import);
+                       [this, unit_m = unit.unit_m, title] {
+                           workspace_.changeImport("unit_m", unit_m, title);
                        },
                        needs_project,
                        [this, unit_m = unit.unit_m] {
@@ -112,22 +108,49 @@ void Editor::addFileCommands() {
                        {},
                        "Unit of length"});
     }
+    commands_.add({"file.unit.of_file",
+                   "File",
+                   "Read the scene in the file's own unit",
+                   {},
+                   [this] {
+                       workspace_.changeImport("unit_m", nullptr,
+                                               "Read the scene in the file's own unit");
+                   },
+                   [this, needs_project]() -> std::string {
+                       if (!workspace_.isOpen()) return needs_project();
+                       return workspace_.importSettings().contains("unit_m")
+                                  ? ""
+                                  : "It is read in the file's own unit.";
+                   },
+                   {},
+                   {},
+                   "Unit of length"});
+    commands_.add({"file.unit.other",
+                   "File",
+                   "Read the scene in another unit…",
+                   {},
+                   [this] { askForUnit(); },
+                   needs_project,
+                   {},
+                   {},
+                   "Unit of length"});
+    const auto keeps_meshes = [this] {
+        return workspace_.isOpen() && !workspace_.importSettings().value("regroup", true);
+    };
     commands_.add({"file.keep_meshes",
                    "File",
                    "Keep the file's meshes as objects",
                    {},
-                   [this] {
-                       nlohmann::json import = workspace_.importSettings();
-                       const bool kept = !import.value("regroup", true);
-                       import.erase("regroup");
-                       if (!kept) import["regroup"] = false;
-                       workspace_.readAgain(import);
+                   [this, keeps_meshes] {
+                       if (keeps_meshes()) {
+                           workspace_.changeImport("regroup", nullptr, "Group meshes into objects");
+                       } else {
+                           workspace_.changeImport("regroup", false,
+                                                   "Keep the file's meshes as objects");
+                       }
                    },
                    needs_project,
-                   [this] {
-                       return workspace_.isOpen() &&
-                              !workspace_.importSettings().value("regroup", true);
-                   }});
+                   keeps_meshes});
     commands_.add({"file.models",
                    "File",
                    "Add a folder of models…",
@@ -140,21 +163,18 @@ void Editor::addFileCommands() {
                    {},
                    [this] { askForFile("labels"); },
                    needs_project});
-    commands_.add({"file.no_labels",
-                   "File",
-                   "Use the built-in classes",
-                   {},
-                   [this] {
-                       nlohmann::json import = workspace_.importSettings();
-                       import.erase("labels");
-                       workspace_.readAgain(import);
-                   },
-                   [this, needs_project] {
-                       if (!workspace_.isOpen()) return needs_project();
-                       return workspace_.importSettings().contains("labels")
-                                  ? std::string()
-                                  : std::string("The project has no label file.");
-                   }});
+    commands_.add(
+        {"file.no_labels",
+         "File",
+         "Use the built-in classes",
+         {},
+         [this] { workspace_.changeImport("labels", nullptr, "Use the built-in classes"); },
+         [this, needs_project] {
+             if (!workspace_.isOpen()) return needs_project();
+             return workspace_.importSettings().contains("labels")
+                        ? std::string()
+                        : std::string("The project has no label file.");
+         }});
     commands_.add({"file.write_annotations",
                    "File",
                    "Write annotations…",

@@ -1,7 +1,5 @@
 #include "app/editor/editor.h"
 
-#include <algorithm>
-
 #include "engine/core/log.h"
 #include "engine/io/files/durable_file.h"
 #include "engine/io/format_table/scene_format.h"
@@ -10,6 +8,10 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace dollytrack::editor {
 
@@ -103,6 +105,21 @@ void Editor::askForFile(const std::string& id) {
     files_.ask(std::move(request));
 }
 
+void Editor::askForUnit() {
+    const ImportReport& report = workspace_.importReport();
+    const auto unit_m = std::make_shared<double>(report.proposal.unit_m.value_or(report.unit_m));
+    const auto read = [this, unit_m] {
+        workspace_.changeImport("unit_m", *unit_m,
+                                fmt::format("Read the scene with 1 unit = {:g} m", *unit_m));
+    };
+    questions_.ask(
+        {"Unit of length",
+         fmt::format("The scene is read with 1 unit of the file = {:g} m.", report.unit_m),
+         {{"Read", read}},
+         false,
+         {unit_m, "m for 1 unit of the file"}});
+}
+
 void Editor::answerFile(const ui::FileAnswer& answer) {
     if (answer.path.has_parent_path()) settings_.last_folder = answer.path.parent_path().string();
     if (answer.id == "open") {
@@ -127,18 +144,15 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
             questions_.tell({true, "Cannot write the annotations", describe(written.error()), {}});
         }
     } else if (answer.id == "labels") {
-        nlohmann::json import = workspace_.importSettings();
-        import["labels"] = answer.path.string();
-        workspace_.readAgain(import);
+        workspace_.changeImport("labels", answer.path.string(), "Use a label file");
     } else if (answer.id == "models") {
-        nlohmann::json import = workspace_.importSettings();
-        nlohmann::json& folders = import["model_folders"];
-        if (!folders.is_array()) folders = nlohmann::json::array();
+        nlohmann::json folders =
+            workspace_.state().import.value("model_folders", nlohmann::json::array());
         const std::string folder = answer.path.string();
         if (std::find(folders.begin(), folders.end(), folder) == folders.end()) {
             folders.push_back(folder);
         }
-        workspace_.readAgain(import);
+        workspace_.changeImport("model_folders", std::move(folders), "Add a folder of models");
     } else if (answer.id == "camera path") {
         readMotion({answer.path, {}});
     } else if (answer.id == "poses") {

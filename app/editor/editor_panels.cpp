@@ -82,7 +82,11 @@ void Editor::drawObjects() {
     view.hidden = &selected_.hidden();
     if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
     const ui::ObjectsActions actions = ui::drawObjectsPanel(view, panels_.objects);
-    if (actions.clicked != 0) selectObject(actions.clicked, actions.add_to_selection);
+    if (!actions.range.empty()) {
+        select(selected_.withObjects(actions.range, true));
+    } else if (actions.clicked != 0) {
+        selectObject(actions.clicked, actions.add_to_selection);
+    }
     if (actions.frame != 0) showUnobstructed(selectedBox());
     if (actions.right_clicked != 0) {
         openSelectionMenu(ui::Selection::ofObject(actions.right_clicked));
@@ -386,14 +390,20 @@ void Editor::drawPlanStatus(const Plan& plan) {
     const auto keys =
         std::ranges::count_if(frames, [](const auto& frame) { return frame.position_point >= 0; });
     const double seconds = durationOf(plan.trajectory);
-    ImGui::Text("%s in %s, %d of %d targets captured",
+    const std::size_t paths = plan.smooth_paths.size();
+    ImGui::Text("%s in %s%s, %d of %d targets captured",
                 counted(frames.size(), "frame", "frames").c_str(),
-                ui::durationText(seconds).c_str(), capture.captured, capture.objects);
+                ui::durationText(seconds).c_str(),
+                paths > 1 ? fmt::format(" on {} separate paths", paths).c_str() : "",
+                capture.captured, capture.objects);
     ui::nameItem("status.plan");
     ui::tooltip(
-        fmt::format("{} targets fill at least 5 % of the image in one of the frames; {} of "
-                    "the frames are key frames. The Metrics panel tells more.",
-                    capture.well_captured, keys));
+        fmt::format("Targets that fill at least 5 % of the image in one of the frames: {}. Frames "
+                    "at position points: {}.{} The Metrics panel tells more.",
+                    capture.well_captured, keys,
+                    paths > 1 ? " No collision-free path connects all views: the camera jumps from "
+                                "one path to the next."
+                              : ""));
     drawLightStatus();
 }
 

@@ -219,7 +219,6 @@ void Editor::restoreView() {
     constexpr int kMostNumbers = 1'000'000;
     constexpr double kFarthest_m = 1e4;
     constexpr double kFull = 2.0 * std::numbers::pi;
-    stored_frame_.reset();
     if (!workspace_.isOpen() || workspace_.storedView().is_null()) return;
     Status read;
     const JsonReader view(workspace_.storedView(), "view", read);

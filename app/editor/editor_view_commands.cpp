@@ -358,12 +358,19 @@ void Editor::toggleClipBox() {
 
 void Editor::leaveCameraView() {
     if (!std::exchange(through_camera_, false)) return;
-    // Who looks around or flies continues from the pose of the plan's camera.
-    const bool looks = panels_.viewport.drag == ui::ViewportState::Drag::Look;
-    if (!looks || plan() == nullptr || playback_.frame() >= frameCount()) return;
-    ui::ViewerCamera& camera = panels_.viewport.camera;
-    camera.orthographic = false;
-    camera.standAt(plan()->trajectory.frames[playback_.frame()].pose, camera.distance);
+    // Who drags or flies continues from the pose of the plan's camera; a key or a menu brings back
+    // the view before.
+    const bool drags = panels_.viewport.drag != ui::ViewportState::Drag::None;
+    if (!drags || plan() == nullptr || playback_.frame() >= frameCount()) return;
+    const Pose& pose = plan()->trajectory.frames[playback_.frame()].pose;
+    constexpr double kNearest_m = 0.3, kFarthest_m = 4.0;  // pivot of the view
+    double ahead_m = kFarthest_m;
+    if (const auto& rays = workspace_.shown().rays) {
+        const RayHit hit = rays->cast(pose.position, pose.forward(), kFarthest_m);
+        if (hit.object_id != 0) ahead_m = std::max(hit.distance, kNearest_m);
+    }
+    panels_.viewport.camera.orthographic = false;
+    panels_.viewport.camera.standAt(pose, ahead_m);
 }
 
 void Editor::lookAlongPose(const Pose& pose) {

@@ -362,12 +362,13 @@ void Editor::drawLegend() {
 }
 
 void Editor::drawImportBar() {
-    if (!workspace_.isOpen() || import_bar_dismissed_) return;
+    if (!workspace_.isOpen() || workspace_.loading().busy || import_bar_dismissed_) return;
     if (workspace_.importBefore()) {
         const int pressed = ui::drawNoteBar(
             "import_changed",
             "The scene was read again with " + importText(workspace_.importReport()) + ".",
-            {{"Undo", "Read it as before"}, {"Keep", "Hide this message"}});
+            {{"Undo", "Read it as before"}, {"Keep", "Hide this message"}},
+            ui::NoteBarKind::Confirmation);
         if (pressed == 0) workspace_.takeBackImport();
         if (pressed == 1) import_bar_dismissed_ = true;
         return;
@@ -392,7 +393,7 @@ void Editor::drawImportBar() {
     if (pressed == 0 && proposal.hasSettings()) return workspace_.applyProposal();
     import_bar_dismissed_ = true;
     settings_.addSeen(kImportKept + workspace_.sceneFile().string());
-    workspace_.keepImport();
+    workspace_.keepImport("Keep " + importText(workspace_.importReport()));
 }
 
 void Editor::drawTextureBar() {
@@ -418,9 +419,13 @@ void Editor::drawTextureBar() {
 
 void Editor::drawSavedPathBar() {
     if (saved_path_.empty()) return;
-    const int pressed =
-        ui::drawNoteBar("path_saved", "The camera path was saved as " + saved_path_.string(),
-                        {{"Hide", "Hide this message"}});
+    std::string text = "The camera path was saved as " + saved_path_.string();
+    if (plan() != nullptr && plan()->smooth_paths.size() > 1) {
+        text += fmt::format(". It has {} separate paths; the camera jumps from one to the next.",
+                            plan()->smooth_paths.size());
+    }
+    const int pressed = ui::drawNoteBar("path_saved", text, {{"Hide", "Hide this message"}},
+                                        ui::NoteBarKind::Confirmation);
     if (pressed == 0) saved_path_.clear();
 }
 

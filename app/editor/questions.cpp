@@ -245,6 +245,8 @@ void Questions::drawConfirmation() {
     for (const Confirmation::Answer& answer : confirmation_->answers)
         box.buttons.push_back(answer.label);
     if (!confirmation_->enter_cancels) box.buttons.emplace_back("Cancel");
+    box.number = confirmation_->number.value.get();
+    box.number_label = confirmation_->number.label;
     const int first = confirmation_->enter_cancels ? 1 : 0;
     const int last = first + static_cast<int>(confirmation_->answers.size());
     box.escape = confirmation_->enter_cancels ? 0 : last;

@@ -52,6 +52,10 @@ class Questions {
         std::string text;
         std::vector<Answer> answers;  // in addition to Cancel
         bool enter_cancels = true;    // false: Enter takes the first answer (harmless)
+        struct Number {
+            std::shared_ptr<double> value;  // edited in a field; null: there is no field
+            std::string label;
+        } number = {};
     };
     void ask(Confirmation confirmation) { confirmation_ = std::move(confirmation); }
     /// Drops the question about the previous project's file.

@@ -17,7 +17,8 @@ namespace {
 nlohmann::json stateJson(const ProjectState& state) {
     Edits edits = state.edits;
     edits.plan.motion = {};
-    return {{"parameters", state.parameters}, {"edits", editsJson(edits)}};
+    return {
+        {"parameters", state.parameters}, {"edits", editsJson(edits)}, {"import", state.import}};
 }
 
 tl::unexpected<Error> badStep(std::size_t step, const std::string& why) {
@@ -57,8 +58,11 @@ Result<CommandStack::History> historyFromJson(const nlohmann::json& json) {
             state = state.patch(step.at("changes"));
             ProjectState read;
             read.parameters = state.at("parameters");
-            if (!read.parameters.is_object()) {
-                return badStep(history.steps.size(), "its parameters are not a JSON object");
+            read.import = state.value("import", nlohmann::json());
+            const bool has_import = read.import.is_object() || read.import.is_null();
+            if (!read.parameters.is_object() || !has_import) {
+                return badStep(history.steps.size(),
+                               "its parameters or import settings are not a JSON object");
             }
             Result<Edits> edits = editsFromJson(state.at("edits"));
             if (!edits) return badStep(history.steps.size(), describe(edits.error()));

@@ -14,7 +14,8 @@ namespace dollytrack {
 /// are more than `most` steps, the oldest are dropped, but never the current one.
 nlohmann::json historyJson(const CommandStack::History& history, std::size_t most = 200);
 
-/// Error: BadInput, naming the step that cannot be applied.
+/// Steps written before histories had import settings get null for these. Error: BadInput, naming
+/// the step that cannot be applied.
 Result<CommandStack::History> historyFromJson(const nlohmann::json& json);
 
 }  // namespace dollytrack

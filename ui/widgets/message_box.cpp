@@ -72,6 +72,14 @@ int drawButtons(const MessageBox& box) {
 int drawContent(const MessageBox& box) {
     drawTitle(box);
     drawText(box);
+    if (box.number != nullptr) {
+        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+        ImGui::SetNextItemWidth(scaled(120));
+        ImGui::InputDouble("##number", box.number, 0.0, 0.0, "%.6g");
+        nameItem("message.number");
+        ImGui::SameLine();
+        ImGui::TextUnformatted(box.number_label.c_str());
+    }
     ImGui::Dummy({0, scaled(6)});
     int pressed = drawButtons(box);
     const int last = static_cast<int>(box.buttons.size()) - 1;

@@ -12,6 +12,8 @@ struct MessageBox {
     std::string text;                           // may have several lines
     std::vector<std::string> buttons = {"OK"};  // the first is pressed by Enter
     int escape = -1;                            // button that Escape presses; -1: the last
+    double* number = nullptr;                   // edited in a field; null: there is no field
+    std::string number_label = {};              // beside the field
 };
 
 /// Draws the message in the middle of the window; to be called every frame until it is answered.

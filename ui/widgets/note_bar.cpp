@@ -11,7 +11,7 @@
 namespace dollytrack::ui {
 
 int drawNoteBar(const std::string& name, const std::string& text,
-                const std::vector<NoteBarButton>& buttons) {
+                const std::vector<NoteBarButton>& buttons, NoteBarKind kind) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float padding = scaled(10);
@@ -34,7 +34,9 @@ int drawNoteBar(const std::string& name, const std::string& text,
                           ImGuiWindowFlags_NoNav);
     nameArea(name, low.x, low.y, low.x + size.x, low.y + size.y);
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().warning);
+    ImGui::PushStyleColor(ImGuiCol_Text, kind == NoteBarKind::Warning
+                                             ? palette().warning
+                                             : ImGui::GetStyleColorVec4(ImGuiCol_Text));
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + text_width);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();

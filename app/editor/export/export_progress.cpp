@@ -1,5 +1,6 @@
 #include "app/editor/export/export_progress.h"
 
+#include "app/editor/shell/menu_names.h"
 #include "engine/core/log.h"
 #include "engine/io/files/bounded_json.h"
 
@@ -42,7 +43,7 @@ void remember(const std::string& words, ui::ExportJob& job) {
 
 void passOn(const json& record, ui::ExportJob& job) {
     const std::string level = textIn(record, "level");
-    const std::string message = textIn(record, "message");
+    const std::string message = withMenuNames(textIn(record, "message"));
     if (message.empty()) return;
     const std::string text = job.request.name + ": " + message;
     if (level == log::name(log::Level::Error)) {

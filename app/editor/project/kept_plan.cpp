@@ -42,8 +42,8 @@ Result<KeptPlan> readPlan(const std::filesystem::path& path, const WantedScene& 
     if (!trajectory) return tl::unexpected(std::move(trajectory.error()));
     KeptPlan plan;
     plan.name = name;
-    plan.state = std::make_shared<const ProjectState>(
-        ProjectState{toJson(planning::listFields(content->params)), content->edits});
+    plan.state = std::make_shared<const ProjectState>(ProjectState{
+        toJson(planning::listFields(content->params)), content->import, content->edits});
     plan.trajectory = std::make_shared<const Trajectory>(std::move(*trajectory));
     plan.metrics = content->result.value("metrics", nlohmann::json::object());
     return plan;

@@ -56,7 +56,7 @@ void MotionWorker::read(const MotionFile& file, const PlanOutcome& shown) {
               return Outcome{Source::File,
                              givenMotion(file.path.filename().string(), loaded->trajectory),
                              {},
-                             file};
+                             {file.path, file.world, loaded->format}};
           });
 }
 

@@ -17,6 +17,7 @@ namespace dollytrack::editor {
 struct MotionFile {
     std::filesystem::path path;
     std::string world;
+    std::string format = {};  // set when it has been read
 };
 
 /// Reads, repairs and makes camera motions in the background. A newer request replaces an older

@@ -34,6 +34,7 @@ Result<OpenedProject> openProject(ProjectContent content, const JobContext& job)
     opened.scene_file = std::move(content.scene_file);
     opened.state.parameters = toJson(planning::listFields(content.params));
     opened.state.edits = std::move(content.edits);
+    opened.state.import = content.import;
     opened.import = std::move(content.import);
     opened.loaded_edits = std::move(content.edits_section);
     opened.others = std::move(content.others);

@@ -19,7 +19,7 @@ struct OpenedProject {
     std::filesystem::path scene_file;
     std::shared_ptr<const Scene> imported;
     ProjectState state;
-    nlohmann::json import = nlohmann::json::object();
+    nlohmann::json import = nlohmann::json::object();        // settings `imported` was read with
     nlohmann::json loaded_edits = nlohmann::json::object();  // as read, to preserve unknown keys
     nlohmann::json others = nlohmann::json::object();        // other sections of the file
     std::string file_sha256;                                 // of the project file; empty: none

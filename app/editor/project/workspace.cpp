@@ -1,5 +1,6 @@
 #include "app/editor/project/workspace.h"
 
+#include "app/editor/shell/menu_names.h"
 #include "engine/core/log.h"
 #include "engine/document/edits_json.h"
 #include "engine/document/history_json.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <string_view>
 #include <utility>
 
 namespace dollytrack::editor {
@@ -30,36 +30,13 @@ nlohmann::json choicesIn(const nlohmann::json& view) {
     return choices;
 }
 
-/// A message of the import with the editor's menus instead of the options of the command line.
-std::string withMenuNames(std::string message) {
-    static constexpr std::pair<std::string_view, std::string_view> kMenus[] = {
-        {"leave out --keep-meshes", "uncheck File > Keep the file's meshes as objects"},
-        {"leave --keep-meshes out", "uncheck File > Keep the file's meshes as objects"},
-        {"pass --models ~/.gz/fuel", "add ~/.gz/fuel with File > Add a folder of models"},
-        {"try --unit", "choose File > Unit of length:"},
-        {"try --up", "choose File > Upward axis:"},
-        {"pass --up", "choose File > Upward axis:"},
-        {"--keep-meshes", "File > Keep the file's meshes as objects"},
-        {"--labels", "File > Use a label file"},
-        {"--models", "File > Add a folder of models"},
-        {"--unit", "File > Unit of length"},
-        {"--up", "File > Upward axis"}};
-    for (const auto& [option, menu] : kMenus) {
-        std::size_t at = 0;
-        while ((at = message.find(option, at)) != std::string::npos) {
-            message.replace(at, option.size(), menu);
-            at += menu.size();
-        }
-    }
-    return message;
-}
-
 }  // namespace
 
 Workspace::Workspace(std::function<void()> wake)
     : wake_(wake),
       file_watch_(known_files_, wake),
       loader_(wake),
+      importer_(wake),
       saver_(wake),
       lighter_(wake),
       planner_(wake) {}
@@ -92,38 +69,10 @@ void Workspace::load(const std::filesystem::path& path,
     });
 }
 
-void Workspace::readAgain(const nlohmann::json& import) {
-    if (!isOpen()) return;
-    state_when_asked_ = stack_.state();
-    LoadOutcome outcome{path().empty() ? sceneFile() : path(), fail(ErrorCode::Failed, "")};
-    outcome.history = stack_.history();
-    outcome.import_before = opened_->import;
-    ProjectFile file = snapshot(false);
-    file.others.erase(kView);  // another unit or axis moves everything
-    file.import = import;
-    file.file_sha256 = fileContent();
-    startLoading(std::move(outcome), [file, project = path()] { return contentOf(file, project); });
-}
-
-void Workspace::applyProposal() {
-    nlohmann::json import = opened_->import;
-    const ImportProposal& proposal = opened_->imported->report.proposal;
-    if (proposal.unit_m) import["unit_m"] = *proposal.unit_m;
-    if (proposal.up_axis) import["up_axis"] = proposal.up_axis->text();
-    readAgain(import);
-}
-
-void Workspace::keepImport() {
-    const ImportReport& report = importReport();
-    if (!report.proposal.unit_doubt.empty()) opened_->import["unit_m"] = report.unit_m;
-    const std::optional<UpAxis> up = parseUpAxis(report.up_axis);
-    if (!report.proposal.up_doubt.empty() && up) opened_->import["up_axis"] = up->text();
-    keeps_import_ = true;
-    stack_.markUnsaved();
-}
-
-void Workspace::takeBackImport() {
-    if (import_before_) readAgain(*import_before_);
+void Workspace::cancelOpening() {
+    loader_.cancel();
+    importer_.cancel();
+    leaveImport();
 }
 
 void Workspace::startLoading(LoadOutcome outcome, std::function<Result<ProjectContent>()> read) {
@@ -145,60 +94,63 @@ void Workspace::startLoading(LoadOutcome outcome, std::function<Result<ProjectCo
     });
 }
 
-void Workspace::close() {
+/// Drops the plan and the light of the scene.
+void Workspace::showNothing() {
     planner_.cancel();
     lighter_.drop();
-    opened_.reset();
     shown_ = {};
     first_serial_ = ++serial_;
+}
+
+void Workspace::close() {
+    showNothing();
+    importer_.cancel();
+    stack_before_import_.reset();
+    opened_.reset();
     ++document_;
     restored_from_.clear();
-    import_before_.reset();
     keeps_import_ = false;
     changed_file_.reset();
     file_watch_.beginAnew();
     stack_.reset({});
-    newly_opened_ = true;
+    new_scene_ = NewScene::Opened;
 }
 
 void Workspace::takeHistory(LoadOutcome& outcome) {
     outcome.origin = Autosave::takeOrigin(outcome.opened->others);
     Result<CommandStack::History> history = historyFromJson(outcome.origin.history);
     if (history) {
-        outcome.history = std::move(*history);
+        for (CommandStack::Step& step : history->steps) {
+            if (!step.state->import.is_null()) continue;
+            ProjectState completed = *step.state;
+            completed.import = outcome.opened->import;
+            step.state = std::make_shared<const ProjectState>(std::move(completed));
+        }
+        // The project's sections take precedence over the history's current state.
+        history->steps[history->position].state =
+            std::make_shared<const ProjectState>(outcome.opened->state);
+        outcome.stack.emplace().restore(std::move(*history));
     } else {
         outcome.opened->warnings.push_back("The work was restored without its undo history.");
     }
 }
 
-void Workspace::install(OpenedProject opened, std::optional<CommandStack::History> history) {
+void Workspace::install(OpenedProject opened, CommandStack stack) {
     close();
     log::info("project", "opened " + opened.scene_file.string());
     for (const std::string& warning : opened.warnings) log::warn("project", warning);
-    for (const std::string& warning : opened.imported->report.warnings) {
-        log::warn("import", withMenuNames(warning));
-    }
-    for (const std::string& note : opened.imported->report.notes) {
-        log::info("import", withMenuNames(note));
-    }
     if (!opened.warnings.empty()) {
         std::string text;
         for (const std::string& warning : opened.warnings) text += warning + "\n";
         text.pop_back();
         notices_.push_back({false, "Please note", text});
     }
-    if (history) {
-        // The project's sections take precedence over the history's current state.
-        history->steps[history->position].state =
-            std::make_shared<const ProjectState>(opened.state);
-        stack_.restore(std::move(*history));
-    } else {
-        stack_.reset(opened.state);
-    }
+    stack_ = std::move(stack);
     if (!opened.project.empty()) known_files_->remember(opened.project, opened.file_sha256);
     file_has_plan_ = opened.file_has_plan;
     view_in_file_ = opened.others.value(kView, nlohmann::json());
     opened_ = std::move(opened);
+    logImport();
     replan();
 }
 
@@ -210,14 +162,15 @@ void Workspace::finishOpening(LoadOutcome outcome) {
                                 name + " again."});
         return;
     }
-    if (outcome.opened && outcome.import_before) return finishReadingAgain(std::move(outcome));
     if (outcome.opened) {
         if (outcome.restored) {
             // The file may have changed since; the recorded hash is that of the restored work.
             outcome.opened->project = std::move(outcome.origin.project);
             outcome.opened->file_sha256 = std::move(outcome.origin.sha256);
         }
-        install(std::move(*outcome.opened), std::move(outcome.history));
+        CommandStack stack =
+            outcome.stack ? std::move(*outcome.stack) : CommandStack(outcome.opened->state);
+        install(std::move(*outcome.opened), std::move(stack));
         if (outcome.restored) restored_from_ = outcome.path;
         // The project file does not contain the new scene path yet.
         if (outcome.restored || outcome.relocated) stack_.markUnsaved();
@@ -231,26 +184,18 @@ void Workspace::finishOpening(LoadOutcome outcome) {
                       " no longer exists. Locate it, or put it back and open the project again.";
         notice.missing_scene_of = outcome.path;
         notice.restores = outcome.restored;
+    } else if (outcome.path.extension() == ".txt") {
+        notice.text += "\nA camera path is opened with File > Import a camera path, in a scene.";
     }
     log::error("project", describe(error));
     notices_.push_back(std::move(notice));
-}
-
-void Workspace::finishReadingAgain(LoadOutcome outcome) {
-    const std::filesystem::path restored_from = restored_from_;
-    const bool back = import_before_ && *import_before_ == outcome.opened->import;
-    install(std::move(*outcome.opened), std::move(outcome.history));
-    restored_from_ = restored_from;
-    if (!back) import_before_ = std::move(outcome.import_before);
-    // The project file does not contain the new import settings yet.
-    stack_.markUnsaved();
 }
 
 ProjectFile Workspace::snapshot(bool with_plan) const {
     ProjectFile file;
     file.scene = opened_->scene_file;
     file.scene_sha256 = opened_->imported->source_sha256;
-    file.import = opened_->import;
+    file.import = state().import;
     file.parameters = state().parameters;
     file.edits = editsJson(state().edits, opened_->loaded_edits);
     file.others = opened_->others;
@@ -334,6 +279,9 @@ void Workspace::finishSaving(SaveOutcome outcome) {
 
 Status Workspace::checkEditable() const {
     if (!isOpen()) return fail(ErrorCode::Failed, "No scene is open.");
+    if (stack_before_import_) {
+        return fail(ErrorCode::Failed, "The scene is being read again; try again in a moment.");
+    }
     if (!shown_.scene && shown_.error) {
         return fail(shown_.error->code,
                     "There is no scene to edit, because the last change failed; undo it. " +
@@ -383,37 +331,39 @@ void Workspace::setParameters(const nlohmann::json& parameters, const std::strin
     if (stack_.state() != before) replan();
 }
 
-void Workspace::setState(const ProjectState& state, const std::string& name) {
-    const CommandStack::State before = stack_.state();
-    stack_.push(name, state);
-    if (stack_.state() != before) replan();
+void Workspace::setState(ProjectState state, const std::string& name) {
+    state.import = this->state().import;
+    CommandStack stack = stack_;
+    stack.push(name, std::move(state));
+    replaceHistory(std::move(stack));
 }
 
 void Workspace::undo() {
-    if (!stack_.canUndo()) return;
-    stack_.undo();
-    replan();
+    CommandStack stack = stack_;
+    stack.undo();
+    replaceHistory(std::move(stack));
 }
 
 void Workspace::redo() {
-    if (!stack_.canRedo()) return;
-    stack_.redo();
-    replan();
+    CommandStack stack = stack_;
+    stack.redo();
+    replaceHistory(std::move(stack));
 }
 
 void Workspace::goTo(std::size_t step) {
-    const CommandStack::State before = stack_.state();
-    stack_.goTo(step);
-    if (stack_.state() != before) replan();
+    CommandStack stack = stack_;
+    stack.goTo(step);
+    replaceHistory(std::move(stack));
 }
 
 void Workspace::rewind(CommandStack::History earlier) {
-    const CommandStack::State before = stack_.state();
-    stack_.rewind(std::move(earlier));
-    if (stack_.state() != before) replan();
+    CommandStack stack = stack_;
+    stack.rewind(std::move(earlier));
+    replaceHistory(std::move(stack));
 }
 
 void Workspace::replan() {
+    if (stack_before_import_) return;  // finishImport() plans
     changed_at_ = Clock::now();
     lighter_.setWaiting(true);
     planner_.start({opened_->imported, stack_.state(), ++serial_});
@@ -465,6 +415,7 @@ bool Workspace::isWanted(const PlanOutcome& outcome) const {
 
 void Workspace::poll() {
     if (std::optional<LoadOutcome> outcome = loaded_->take()) finishOpening(std::move(*outcome));
+    if (auto outcome = importer_.take(); outcome && isOpen()) finishImport(std::move(*outcome));
     if (std::optional<PlanOutcome> outcome = planner_.poll();
         outcome && isOpen() && isWanted(*outcome)) {
         take(std::move(*outcome));
@@ -495,7 +446,7 @@ std::optional<Workspace::Notice> Workspace::takeNotice() {
 }
 
 std::string Workspace::planError() const {
-    return shown_.error ? describe(*shown_.error) : std::string();
+    return shown_.error ? withMenuNames(describe(*shown_.error)) : std::string();
 }
 
 }  // namespace dollytrack::editor

@@ -3,6 +3,7 @@
 #include "app/editor/files/file_watch.h"
 #include "app/editor/files/known_files.h"
 #include "app/editor/project/autosave.h"
+#include "app/editor/project/import_worker.h"
 #include "app/editor/project/light_worker.h"
 #include "app/editor/project/live_planner.h"
 #include "app/editor/project/project_loader.h"
@@ -38,15 +39,19 @@ class Workspace {
     /// Opens an autosave copy as unsaved work of its project.
     void restore(const std::filesystem::path& copy,
                  const std::optional<std::filesystem::path>& scene_instead = std::nullopt);
-    /// Imports the open project's scene again with these import settings (a project's section
-    /// `import`). Parameters, edits and undo history are kept; the open scene stays until then.
-    void readAgain(const nlohmann::json& import);
-    /// Imports again with the import report's proposed settings; takeBackImport() reverts that.
+    /// Imports the open project's scene again with one setting of its section `import` changed;
+    /// null removes it. Parameters and edits are kept; the open scene stays until the other is
+    /// read. One undo step with this name: undoing it imports the scene again.
+    void changeImport(const char* setting, nlohmann::json value, const std::string& name);
+    /// Likewise with the import report's proposed settings.
     void applyProposal();
+    /// Returns to the settings of importBefore(): by undo if the last step changed them, else by
+    /// another step.
     void takeBackImport();
     /// Confirms the import settings in use against the proposal: they become part of the project.
-    void keepImport();
-    void cancelOpening() { loader_.cancel(); }
+    /// One undo step with this name.
+    void keepImport(const std::string& name);
+    void cancelOpening();
     void close();
     /// Sets the editor's view, a section of the project that is stored with save().
     void setView(const nlohmann::json& view);
@@ -74,8 +79,8 @@ class Workspace {
     /// Sets the parameters, given as JSON sections of fields; `name` is the step's name.
     void setParameters(const nlohmann::json& parameters, const std::string& name,
                        const std::string& merge_key);
-    /// Replaces parameters and edits, as one undo step with this name.
-    void setState(const ProjectState& state, const std::string& name);
+    /// Replaces parameters and edits, as one undo step with this name; the import settings stay.
+    void setState(ProjectState state, const std::string& name);
     void endMerge() { stack_.endMerge(); }
     void undo();
     void redo();
@@ -96,10 +101,9 @@ class Workspace {
     [[nodiscard]] const ImportProposal& proposal() const {
         return keeps_import_ ? kNoProposal : importReport().proposal;
     }
-    /// The import settings before readAgain(); unset if the scene was not imported again.
-    [[nodiscard]] const std::optional<nlohmann::json>& importBefore() const {
-        return import_before_;
-    }
+    /// The import settings before the last step up to the current one that changed them; unset if
+    /// none did.
+    [[nodiscard]] std::optional<nlohmann::json> importBefore() const;
     [[nodiscard]] const nlohmann::json& importSettings() const { return opened_->import; }
     [[nodiscard]] const ImportReport& importReport() const { return opened_->imported->report; }
     /// The open scene as imported, without edits.
@@ -117,7 +121,11 @@ class Workspace {
     [[nodiscard]] const LightWorker& lighter() const { return lighter_; }
     void stopLight() { lighter_.stop(); }
     void startLight() { lighter_.start(); }
-    [[nodiscard]] BackgroundWorker::State loading() const { return loader_.state(); }
+    /// Of opening a project, or of importing its scene again.
+    [[nodiscard]] BackgroundWorker::State loading() const {
+        const BackgroundWorker::State opening = loader_.state();
+        return opening.busy ? opening : importer_.state();
+    }
     [[nodiscard]] BackgroundWorker::State planning() const { return planner_.state(); }
     /// Ends planning for the newest edits; the previous plan stays on the screen.
     void stopPlanning();
@@ -151,8 +159,10 @@ class Workspace {
     /// dismissed that.
     [[nodiscard]] bool fileChanged() const { return isOpen() && file_watch_.changed(); }
     void dismissFileChange() { file_watch_.dismiss(); }
-    /// Whether a project was opened or closed since the last call.
-    [[nodiscard]] bool takeOpened() { return std::exchange(newly_opened_, false); }
+    /// What happened since the last call: a project was opened or closed, or the scene of the open
+    /// one was imported again.
+    enum class NewScene { None, Opened, ReadAgain };
+    [[nodiscard]] NewScene takeNewScene() { return std::exchange(new_scene_, NewScene::None); }
 
   private:
     struct LoadOutcome {
@@ -162,8 +172,7 @@ class Workspace {
         bool relocated = false;                    // the user chose another scene file
         std::filesystem::path missing_scene = {};  // path of a missing scene; empty: it exists
         Autosave::Origin origin = {};              // origin of restored work
-        std::optional<CommandStack::History> history = {};  // undo history, if it was stored
-        std::optional<nlohmann::json> import_before = {};   // settings before readAgain()
+        std::optional<CommandStack> stack = {};    // undo history, if it was stored
     };
     struct SaveOutcome {
         std::uint64_t serial = 0;
@@ -192,10 +201,15 @@ class Workspace {
               const std::optional<std::filesystem::path>& scene_instead, bool restored);
     [[nodiscard]] Status checkEditable() const;
     void replan();
-    void install(OpenedProject opened, std::optional<CommandStack::History> history);
+    void replaceHistory(CommandStack stack);
+    void setImport(nlohmann::json import, const std::string& name);
+    void leaveImport();
+    void finishImport(ImportWorker::Outcome outcome);
+    void showNothing();
+    void logImport() const;
+    void install(OpenedProject opened, CommandStack stack);
     static void takeHistory(LoadOutcome& outcome);
     void startLoading(LoadOutcome outcome, std::function<Result<ProjectContent>()> read);
-    void finishReadingAgain(LoadOutcome outcome);
     void finishOpening(LoadOutcome outcome);
     void finishSaving(SaveOutcome outcome);
     void updateLight();
@@ -211,7 +225,9 @@ class Workspace {
     std::uint64_t save_serial_ = 0;
     std::uint64_t saves_answered_ = 0;
     std::filesystem::path restored_from_;
-    std::optional<nlohmann::json> import_before_;
+    // While the scene is imported with the settings of the current step: the history before, whose
+    // settings are those of the open scene.
+    std::optional<CommandStack> stack_before_import_;
     bool keeps_import_ = false;  // see keepImport()
     bool file_has_plan_ = false;
     nlohmann::json view_in_file_;
@@ -226,7 +242,7 @@ class Workspace {
     std::chrono::steady_clock::time_point changed_at_;
     double latency_ms_ = 0.0;
     std::vector<Notice> notices_;
-    bool newly_opened_ = false;
+    NewScene new_scene_ = NewScene::None;
     std::shared_ptr<LatestValue<LoadOutcome>> loaded_ =
         std::make_shared<LatestValue<LoadOutcome>>();
     std::shared_ptr<ConcurrentQueue<SaveOrder>> save_orders_ =
@@ -234,6 +250,7 @@ class Workspace {
     std::shared_ptr<ConcurrentQueue<SaveOutcome>> saved_ =
         std::make_shared<ConcurrentQueue<SaveOutcome>>();
     BackgroundWorker loader_;
+    ImportWorker importer_;
     BackgroundWorker saver_;
     LightWorker lighter_;
     LivePlanner planner_;

@@ -87,6 +87,7 @@ bool InputQueue::deliver(bool hold_keys) {
     std::set<int> released;    // codes of keys
     bool key_pressed = false;  // a key that is no modifier
     at_event_ = false;         // after a button event, the mouse must not move in this frame
+    bool moved = false;        // the mouse moved in this frame
     bool dragged = false;      // the final position must be shown before the button is released
     bool scrolled = false;     // the wheel was turned in this frame
     bool text = false;         // characters were delivered, which later keys must not overtake
@@ -103,6 +104,9 @@ bool InputQueue::deliver(bool hold_keys) {
         if (event.kind == Event::Kind::Button && event.action == GLFW_RELEASE && dragged) {
             return true;
         }
+        // ImGui ignores a press on an item that others may overlap, like a row of a list, unless
+        // the mouse was over it in the frame before.
+        if (event.kind == Event::Kind::Button && event.action == GLFW_PRESS && moved) return true;
         const bool types = event.kind == Event::Kind::Text ||
                            (event.kind == Event::Kind::Key && onlyTypes(event.code, event.mods));
         // Text fields handle characters before keys, and lose the keyboard before both when another
@@ -160,6 +164,7 @@ bool InputQueue::deliver(bool hold_keys) {
                 ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
                 break;
             case Event::Kind::Move:
+                moved = moved || event.x != x_ || event.y != y_;
                 x_ = event.x;
                 y_ = event.y;
                 knows_place_ = true;

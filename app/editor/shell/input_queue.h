@@ -9,7 +9,8 @@ namespace dollytrack::editor {
 
 /// Passes keys, buttons and mouse moves to Dear ImGui in their original order, with at most one
 /// change of each key and button per frame (except for keys that type into a text field), and each
-/// button event at the mouse position where it happened. Otherwise, presses and releases between
+/// button event at the mouse position where it happened; a press waits one frame after a move.
+/// Otherwise, presses and releases between
 /// two frames would be lost, and drags would start where the mouse has got to, which happens with
 /// frames of 50 ms.
 class InputQueue {

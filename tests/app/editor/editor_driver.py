@@ -183,6 +183,14 @@ class Editor:
                 self.release(button)
         return self.state()
 
+    def click_at_once(self, x, y):
+        """Moves the mouse and clicks, faster than the window can draw a frame."""
+        self.mouse = (round(x), round(y))
+        xtest.fake_input(self.display, X.MotionNotify, x=self.mouse[0], y=self.mouse[1])
+        xtest.fake_input(self.display, X.ButtonPress, BUTTONS["left"])
+        xtest.fake_input(self.display, X.ButtonRelease, BUTTONS["left"])
+        self.display.sync()
+
     def drag(self, start, end, button="left", keys=(), steps=8, look=None):
         """Drags from one position to another; `look` is called with each state on the way."""
         self.point(start)

@@ -16,7 +16,7 @@ MENUS = ("file", "edit", "camera", "view", "layers", "timeline", "window", "help
 DOTTED = ("Add a folder of models", "Open", "Save as", "Use a label file", "Write annotations", "Import a camera path",
           "Save the camera path", "Export the dataset", "Open B", "Choose", "Add projects", "Camera move: orbit",
           "Camera move: arc", "Camera move: dolly", "Camera move: crane", "Camera move: walk",
-          "Compare with another project")
+          "Compare with another project", "Read the scene in another unit")
 # The tail of this letter reaches a little over the left edge of its line, where it may be cut.
 OVERHANGING = "j"
 # Fields and lists whose text scrolls or depends on files and names of the user.

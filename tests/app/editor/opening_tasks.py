@@ -159,6 +159,71 @@ class Opening(Task):
         self.editor.wait(lambda state: "regroup" not in state["import"],
                          "the meshes to be regrouped")
 
+    def test_reading_in_another_unit_is_a_step_of_the_history(self):
+        self.start_project()
+        self.set_parameter("fill", "0.45")
+        self.editor.key("ctrl+s")
+        self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+        self.editor.run_command("read the scene in feet")
+        self.editor.wait(lambda state: "import_changed" in state["items"],
+                         "the scene to be read in feet")
+        in_feet = self.editor.idle()
+        self.assertEqual(in_feet["history"][-1], "Read the scene in feet")
+        self.assertTrue(in_feet["unsaved"])
+        self.editor.key("ctrl+z")
+        self.editor.wait(lambda state: "unit_m" not in state["import"], "the unit before")
+        state = self.editor.idle()
+        self.assertEqual(state["history_position"], 1)
+        self.assertAlmostEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
+        self.assertFalse(state["unsaved"])
+        self.assertNotIn("import_changed", state["items"])
+        self.editor.key("ctrl+shift+z")
+        self.editor.wait(lambda state: "unit_m" in state["import"], "feet again")
+        self.assertEqual(self.editor.idle()["plan"], in_feet["plan"])
+        # The second step is undone although the scene is still being read for the first.
+        self.editor.tap("ctrl+z")
+        self.editor.tap("ctrl+z")
+        self.editor.wait(lambda state: "unit_m" not in state["import"], "the unit before")
+        self.assertEqual(self.editor.idle()["history_position"], 0)
+        self.editor.click("tab.history")
+        self.editor.click("history.step.2")
+        self.editor.wait(lambda state: "unit_m" in state["import"], "feet again")
+        self.assertEqual(self.editor.idle()["plan"], in_feet["plan"])
+
+    def test_any_unit_can_be_typed_and_keeping_one_is_undone(self):
+        small = self.folder / "small.obj"
+        tiny_room.write(small)
+        tiny_room.move_corners(small, lambda x, y, z: (0.24 * x, 0.24 * y, 0.24 * z))
+        self.start(small)
+        self.editor.click("import_doubt.1")
+        state = self.editor.wait(lambda state: "import_doubt" not in state["items"],
+                                 "the bar to go")
+        self.assertTrue(state["history"][-1].startswith("Keep 1 unit = 1 m"))
+        self.editor.key("ctrl+z")
+        state = self.editor.wait(lambda state: "import_doubt" in state["items"], "the question")
+        self.assertNotIn("unit_m", state["import"])
+        self.editor.run_command("read the scene in another unit")
+        self.editor.item("message.number")
+        self.editor.key("ctrl+a")
+        self.editor.type("4.2")
+        self.editor.key("enter")
+        self.editor.wait(lambda state: state["import"].get("unit_m") == 4.2, "the unit")
+        self.assertEqual(self.editor.idle()["plan"]["captured"], 5)
+        self.editor.run_command("read the scene in the file's own unit")
+        self.editor.wait(lambda state: "unit_m" not in state["import"], "the file's unit")
+
+    def test_labels_that_cannot_be_read_change_nothing(self):
+        before = self.start_room()
+        broken = self.folder / "labels.csv"
+        broken.write_text("no labels\n")
+        self.editor.run_command("use a label file")
+        self.editor.choose_file(broken)
+        self.assertIn("labels.csv", self.notice())
+        self.dismiss("ok")
+        after = self.editor.idle()
+        for key in ("history", "import", "plan", "unsaved"):
+            self.assertEqual(after[key], before[key], key)
+
     def test_missing_textures_are_told_until_that_is_hidden_and_do_not_block(self):
         scene = self.folder / "bare.obj"
         tiny_room.write(scene)

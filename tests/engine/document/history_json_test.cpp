@@ -34,6 +34,9 @@ CommandStack::History someWork() {
         EXPECT_TRUE(names) << describe(names.error());
         if (names) stack.push(names->front(), next);
     }
+    ProjectState in_feet = *stack.state();
+    in_feet.import["unit_m"] = 0.3048;
+    stack.push("Read the scene in feet", in_feet);
     stack.undo();
     return stack.history();
 }
@@ -56,7 +59,7 @@ Result<CommandStack::History> throughText(const json& written) {
 
 TEST(HistoryJson, ReadsBackEveryStepAndThePlaceInThem) {
     const CommandStack::History work = someWork();
-    ASSERT_EQ(work.steps.size(), 6U);
+    ASSERT_EQ(work.steps.size(), 7U);
     const auto back = throughText(historyJson(work));
     ASSERT_TRUE(back) << describe(back.error());
     expectSame(*back, work);
@@ -94,18 +97,33 @@ TEST(HistoryJson, LeavesAwayTheOldestButNeverThePresent) {
     EXPECT_EQ(back->steps.size(), 9U);
 }
 
+TEST(HistoryJson, ReadsHistoriesWithoutImportSettings) {
+    CommandStack stack;
+    ProjectState state;
+    state.parameters["n"] = 1;
+    stack.push("Set n to 1", state);
+    json written = historyJson(stack.history());
+    written["steps"][0]["changes"].push_back({{"op", "remove"}, {"path", "/import"}});
+    const auto read = throughText(written);
+    ASSERT_TRUE(read) << describe(read.error());
+    for (const CommandStack::Step& step : read->steps) EXPECT_TRUE(step.state->import.is_null());
+}
+
 TEST(HistoryJson, SaysWhichStepDoesNotFit) {
     const json good = historyJson(someWork());
     json no_place = good;
-    no_place["position"] = 6;
+    no_place["position"] = 7;
     json no_patch = good;
     no_patch["steps"][3]["changes"] = {{{"op", "remove"}, {"path", "/nothing"}}};
     json no_edits = good;
     no_edits["steps"][2]["changes"] = {
         {{"op", "replace"}, {"path", "/edits"}, {"value", {{"pinned", 7}}}}};
-    for (const auto& [bad, place] : {std::pair{no_place, "steps[6]"},
+    json no_import = good;
+    no_import["steps"][0]["changes"].push_back({{"op", "add"}, {"path", "/import"}, {"value", 7}});
+    for (const auto& [bad, place] : {std::pair{no_place, "steps[7]"},
                                      {no_patch, "steps[3]"},
                                      {no_edits, "steps[2]"},
+                                     {no_import, "steps[0]"},
                                      {json(), "steps[0]"}}) {
         const auto read = historyFromJson(bad);
         ASSERT_FALSE(read) << place;

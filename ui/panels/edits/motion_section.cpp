@@ -1,5 +1,6 @@
 #include "ui/panels/edits/motion_section.h"
 
+#include "engine/io/trajectories/trajectory_file.h"
 #include "planning/motions/key_motion.h"
 #include "planning/motions/move_settings.h"
 #include "ui/theme.h"
@@ -21,6 +22,7 @@ namespace dollytrack::ui {
 namespace {
 
 constexpr std::array kWorlds = {"", "scene", "y-up", "z-up", "ned", "camera"};
+/// The format's own, then in the order of FileWorld.
 constexpr std::array kWorldNames = {
     "Usual for the format",       "Axes and unit of the scene file", "m, y up", "m, z up",
     "m, north, east, down (NED)", "m, right, down, forward"};
@@ -85,6 +87,10 @@ void drawCollisions(const MotionView& view, MotionActions& actions) {
                    {.tip = "Go to the next collision (Ctrl+Right)", .small = true})) {
             actions.collision = 1;
         }
+        // Always a line, so that the buttons below stay where they are.
+        const bool here = !view.collision_here.empty();
+        cutText(here ? view.collision_here : "No collision at this frame.",
+                here ? palette().bad : palette().text_dim);
     } else if (!blocked.empty()) {
         paragraph(fmt::format("\u25cb The path is free of collisions, but cannot pass {}: no "
                               "camera can be there.",
@@ -115,12 +121,12 @@ void drawState(const MotionView& view, MotionActions& actions) {
         if (view.plan_error.empty()) {
             ImGui::TextColored(palette().text_dim, "being checked \u2026");
         } else {
-            paragraph("Not checked: planning failed.", palette().bad);
+            paragraph("Not checked: " + view.plan_error, palette().bad);
         }
         return;
     }
     drawCollisions(view, actions);
-    if (!view.change.empty()) paragraph(view.change, palette().text_dim);
+    if (!view.change.empty()) paragraph(view.change);
     if (view.why_not_compare &&
         button("Compare with unrepaired path", "edits.motion.compare",
                {.why_not = *view.why_not_compare,
@@ -197,7 +203,10 @@ void drawKeys(const MotionView& view, MotionActions& actions) {
         ImGui::PopID();
     }
     if (keys.size() == 1) {
-        paragraph("Fly on in the viewport and press K for the next key.", palette().text_dim);
+        paragraph(
+            "Fly on in the viewport (drag with the right button; W, A, S, D) and press K for the "
+            "next key.",
+            palette().text_dim);
     }
     if (checked && std::ranges::any_of(view.plan->passed_keys, [&](const PassedKey& passed) {
             const auto i = static_cast<std::size_t>(&passed - view.plan->passed_keys.data());
@@ -214,8 +223,17 @@ void drawKeys(const MotionView& view, MotionActions& actions) {
 void drawWorld(const MotionView& view, MotionActions& actions) {
     if (!view.can_read_again || !beginForm("motion file")) return;
     formLabel("World axes", "Of the positions in the file; it is read again with others");
+    std::vector<const char*> names(kWorldNames.begin(), kWorldNames.end());
+    const auto formats = trajectoryFormats();
+    const auto format = std::ranges::find(formats, view.format, &TrajectoryFormat::name);
+    std::string usual;
+    if (format != formats.end()) {
+        usual = fmt::format("{} (usual for the format {})",
+                            kWorldNames[1 + static_cast<std::size_t>(format->world)], view.format);
+        names.front() = usual.c_str();
+    }
     int world = view.world;
-    if (choiceCombo("edits.motion.world", world, kWorldNames)) actions.read_in_world = world;
+    if (choiceCombo("edits.motion.world", world, names)) actions.read_in_world = world;
     endForm();
 }
 

@@ -23,7 +23,7 @@ struct KeyState {
 struct MotionView {
     const GivenMotion* motion = nullptr;  // null: the camera path is planned
     const Plan* plan = nullptr;           // made with it; null: none yet
-    std::string plan_error;               // why there is none; empty if planning has not failed
+    std::string plan_error;               // why there will be none; empty if planning goes on
     bool has_scene = false;               // whether paths can be read and made
     int selected_key = -1;                // index of the selected key; -1: none
     std::vector<KeyState> key_states;     // of the keys; empty: not known yet
@@ -35,6 +35,8 @@ struct MotionView {
                                                  // none: it is not the result of a repair
     bool can_read_again = false;                 // whether the path is from a file
     int world = 0;                               // its coordinate system, index in motionWorlds()
+    std::string format;                          // of that file, a name of trajectoryFormats()
+    std::string collision_here;                  // at the current frame; empty: none
     bool busy = false;                           // a path is being read, repaired or made
     double fraction = 0.0;                       // of that, 0..1
     std::string stage;

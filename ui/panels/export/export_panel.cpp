@@ -74,11 +74,11 @@ std::optional<std::array<SizeField, 2>> sizeFields(const ExportView& view) {
     return sizes;
 }
 
-/// The image size is a parameter of the plan's camera; changing it starts a new plan.
+/// The image size is a parameter of the plan's camera; changing it updates the plan.
 void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
     const auto sizes = sizeFields(view);
     if (!sizes) return;
-    const char* camera = "Image size of the camera; changing it starts a new plan.";
+    const char* camera = "Image size of the camera; changing it updates the plan.";
     formLabel("Image, px", camera);
     const char* keep = "keep ratio";
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -117,7 +117,7 @@ void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& ac
     nameItem("export.keep_ratio");
     tooltip("Width and height change together");
     formLine("");
-    cutText("Another size starts a new plan.", palette().text_dim);
+    cutText("Another size updates the plan.", palette().text_dim);
 }
 
 void drawFrames(const ExportView& view, ExportDraft& draft) {

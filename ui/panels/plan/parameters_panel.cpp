@@ -2,6 +2,7 @@
 
 #include "ui/theme.h"
 #include "ui/widgets/fields/field_editor.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 #include "ui/widgets/text_match.h"
 
@@ -74,6 +75,7 @@ ParametersActions drawParametersPanel(const ParametersView& view, const FieldLis
         }
     }
     if (table) ImGui::EndTable();
+    if (section.empty()) paragraph("No parameter matches.", palette().text_dim);
     ImGui::EndChild();
     return actions;
 }

@@ -133,12 +133,15 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
                               ImGuiSelectableFlags_AllowItemOverlap |
                               ImGuiSelectableFlags_AllowDoubleClick)) {
         actions.clicked = object.id;
-        actions.add_to_selection = state.pressed_with_key;
+        actions.add_to_selection = state.pressed_with_ctrl;
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) actions.frame = object.id;
     }
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) actions.right_clicked = object.id;
-    if (ImGui::IsItemClicked()) state.pressed_with_key = io.KeyCtrl || io.KeyShift;
+    if (ImGui::IsItemClicked()) {
+        state.pressed_with_ctrl = io.KeyCtrl;
+        state.pressed_with_shift = io.KeyShift;
+    }
     nameItem("objects.row." + std::to_string(object.id));
     const std::string class_name = className(object);
     if (shown_name != name || !with_class) tooltipBeside(name + "\n" + class_name);
@@ -175,9 +178,20 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
         }
         ImGui::PopStyleVar();
         nameItem("objects.target." + std::to_string(object.id));
-        tooltipBeside("A target: the plan should capture it");
+        tooltipBeside("Whether it is a target: the plan should capture it");
     }
     ImGui::PopID();
+}
+
+/// The ids of the rows from one object to another; only the second if the first has no row.
+std::vector<int> rowsBetween(const std::vector<const Object*>& rows, int from, int to) {
+    auto begin = std::ranges::find(rows, from, &Object::id);
+    auto end = std::ranges::find(rows, to, &Object::id);
+    if (begin == rows.end() || end == rows.end()) return {to};
+    if (end < begin) std::swap(begin, end);
+    std::vector<int> ids;
+    for (auto row = begin; row <= end; ++row) ids.push_back((*row)->id);
+    return ids;
 }
 
 }  // namespace
@@ -230,6 +244,11 @@ ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& stat
         }
     }
     ImGui::EndTable();
+    if (actions.clicked != 0 && state.pressed_with_shift && view.selected != nullptr) {
+        actions.range =
+            rowsBetween(rows, view.selected->empty() ? actions.clicked : view.selected->back(),
+                        actions.clicked);
+    }
     return actions;
 }
 

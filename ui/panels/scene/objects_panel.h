@@ -29,13 +29,16 @@ struct ObjectsPanelState {
         std::vector<std::string> cut;  // to `width`
         float width = 0.0F;
     } names;
-    bool pressed_with_key = false;  // Ctrl or Shift, which may be released before the button
+    // Keys at the press of the button, which may be released before it.
+    bool pressed_with_ctrl = false;
+    bool pressed_with_shift = false;
 };
 
 /// User actions of this frame; ids of objects, 0: none.
 struct ObjectsActions {
     int clicked = 0;
     bool add_to_selection = false;  // with Ctrl
+    std::vector<int> range;         // with Shift: the rows from the last selected to the clicked
     int frame = 0;                  // double click: frame the object in the viewport
     int right_clicked = 0;
     int toggle_hidden = 0;

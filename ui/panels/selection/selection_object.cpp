@@ -248,7 +248,7 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
     if (found->best.frame >= 0) {
         drawView("Best frame", found->best, "selection.best_frame", actions);
     } else {
-        formText("Best frame", "it is never visible");
+        formText("Best frame", "none shows half of it");
     }
     if (found->well_captured && found->best_well.frame != found->best.frame) {
         drawView("Best well", found->best_well, "selection.best_well_frame", actions);

@@ -15,7 +15,7 @@ constexpr std::array<StripStyle, kTimelineStrips> kStyles = {{
     {"speed", "Speed", " m/s", 2, 0.40F},
     {"turn", "Turn rate", "°/s", 0, 0.78F},
     {"score", "Score", "", 2, 0.12F},
-    {"in_view", "Objects in view", "", 0, 0.50F},
+    {"in_view", "Targets in view", "", 0, 0.50F},
     {"captured", "Captured so far", "", 0, 0.33F},
     {"image_corners", "Image corners", "", 0, 0.04F},
     {"overlap", "Overlap", "", 2, 0.90F},

@@ -166,11 +166,6 @@ FieldEdit drawField(const Field& field, const Field& standard, const std::string
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(readableName(field).c_str());
     bool hovered = ImGui::IsItemHovered();
-    if (!field.symbol().empty()) {
-        ImGui::SameLine();
-        ImGui::TextColored(palette().accent, "%s", std::string(field.symbol()).c_str());
-        hovered = hovered || ImGui::IsItemHovered();
-    }
     ImGui::TableNextColumn();
     const bool differs = field.valueText() != standard.valueText();
     const float reset_width = ImGui::GetFrameHeight();

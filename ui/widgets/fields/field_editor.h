@@ -9,16 +9,16 @@ namespace dollytrack::ui {
 
 /// What the user should know about the current value of a field; empty: nothing.
 struct FieldNotes {
-    /// The value of another parameter because of which this one has no effect ("shake=none"). The
-    /// row is dimmed, and the tooltip says why; the value can still be edited.
+    /// Another parameter and its value with which this one has no effect, for example "shake=none".
+    /// The row is dimmed then, and the tooltip gives that reason; the value can still be edited.
     std::string no_effect_with;
     std::string note;  // below the field and in the tooltip
 };
 
-/// Draws a row of a two-column table: name with its symbol in the method's paper, widget with unit,
-/// and a reset button if the value differs from `standard` (the same field of a default-constructed
-/// struct). The tooltip shows description, range and default. `path` is the widget's name in the
-/// item map: "parameters.fill".
+/// Draws a row of a two-column table: name, widget with unit, and a reset button if the value
+/// differs from `standard` (the same field of a default-constructed struct). The tooltip shows
+/// description, range, default and the symbol in the method's paper. `path` is the widget's name in
+/// the item map: "parameters.fill".
 FieldEdit drawField(const Field& field, const Field& standard, const std::string& path,
                     const FieldNotes& notes = {});
 

@@ -19,4 +19,16 @@ TEST(LineSplitter, CutsHoweverTheTextArrives) {
     EXPECT_EQ(splitter.rest(), "rest");
 }
 
+TEST(ReadProgressLine, NamesMenusInsteadOfCommandLineOptions) {
+    ui::ExportJob job;
+    readProgressLine(
+        R"({"log": {"level": "warning", "message":
+            "2 meshes contain parts of several objects; leave out --keep-meshes to regroup them"}})",
+        job);
+    ASSERT_EQ(job.last_words.size(), 1U);
+    EXPECT_EQ(job.last_words.front(),
+              "2 meshes contain parts of several objects; uncheck File > Keep the file's meshes as "
+              "objects to regroup them");
+}
+
 }  // namespace dollytrack::editor::export_progress_test
