@@ -118,7 +118,7 @@ void Editor::refreshScene() {
         read_motions_.clear();
         repaired_motion_ = {};
         before_repair_.reset();
-        place_before_repair_.reset();
+        position_before_repair_.reset();
         saved_path_.clear();
         current_time_s_ = 0.0;
         made_motion_ = {};
@@ -134,9 +134,10 @@ void Editor::refreshScene() {
             autosave_.discard();
             autosave_.replaces(workspace_.restoredFrom());
             noted_file_.clear();
+            import_kept_here_ = false;
             restoreView();
-        } else {
-            import_bar_dismissed_ = false;  // it says how the scene was read, or what is doubtful
+        } else if (import_kept_here_ || workspace_.previousImport()) {
+            import_bar_dismissed_ = false;
         }
     }
     const PlanOutcome& shown = workspace_.shown();
@@ -147,7 +148,7 @@ void Editor::refreshScene() {
         keepCurrentTime();
         if (plan() != nullptr && stored_frame_) goToFrame(*std::exchange(stored_frame_, {}));
         goToRecordedKey();
-        stayAfterRepair();
+        restorePositionAfterRepair();
         if (plan() != nullptr) {
             step_playback_.goTo(
                 std::min(step_playback_.taken(), plan()->roadmap.steps.steps.size()));
@@ -177,7 +178,8 @@ void Editor::noteOpening() {
     import_bar_dismissed_ = textures_note_ = false;
     if (!workspace_.isOpen()) return;
     const std::string scene = workspace_.sceneFile().string();
-    import_bar_dismissed_ = settings_.hasSeen(kImportKept + scene);
+    import_bar_dismissed_ =
+        settings_.hasSeen(kImportKept + scene) || workspace_.previousImport().has_value();
     const std::size_t missing = workspace_.importReport().textures_missing.size();
     missing_textures_note_ = fmt::format("{} textures missing: {}", missing, scene);
     textures_note_ = missing > 0 && !settings_.hasSeen(missing_textures_note_);
@@ -189,12 +191,13 @@ void Editor::noteCurrentTime() {
     current_time_s_ = plan()->trajectory.frames[frame].time_s;
 }
 
-void Editor::stayAfterRepair() {
-    if (!place_before_repair_ || plan() == nullptr || !workspace_.planIsCurrent()) return;
-    const Eigen::Vector3d place = *std::exchange(place_before_repair_, std::nullopt);
+void Editor::restorePositionAfterRepair() {
+    if (!position_before_repair_ || plan() == nullptr || !workspace_.planIsCurrent()) return;
+    const Eigen::Vector3d position = *std::exchange(position_before_repair_, std::nullopt);
+    if (workspace_.state().edits.plan.motion != repaired_motion_) return;
     const auto& frames = plan()->trajectory.frames;
     const auto nearest = std::ranges::min_element(frames, {}, [&](const TrajectoryFrame& frame) {
-        return (frame.pose.position - place).squaredNorm();
+        return (frame.pose.position - position).squaredNorm();
     });
     if (nearest != frames.end()) goToFrame(static_cast<int>(nearest - frames.begin()));
 }
@@ -389,7 +392,7 @@ void Editor::rememberSettings() {
 }
 
 void Editor::autosave() {
-    if (!workspace_.isOpen()) return;
+    if (!workspace_.isOpen() || workspace_.isImporting()) return;
     const CommandStack::State& state = workspace_.history().state();
     if (!workspace_.unsaved()) {
         autosave_.discard();

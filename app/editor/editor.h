@@ -94,8 +94,8 @@ class Editor {
     /// Goes to the frame of a new plan nearest to the time of the playhead, as its frames may have
     /// other numbers.
     void keepCurrentTime();
-    /// After a repair, which may change all times: goes to the frame nearest to the place before.
-    void stayAfterRepair();
+    /// Moves the playhead to the frame nearest to its position before the repair.
+    void restorePositionAfterRepair();
     /// Duration of the frame at the playhead.
     [[nodiscard]] double secondsToNextFrame() const;
     /// Whether a dialog is open, which then has the keyboard.
@@ -331,6 +331,8 @@ class Editor {
     /// Whether the camera can be at each key, computed directly from the map, so that it is known
     /// before the motion through the keys is planned.
     const KeyStates& keyStates();
+    /// Why the camera collides at the current frame, as a sentence; empty: it does not.
+    [[nodiscard]] std::string collisionHere() const;
     /// Moves a key to the nearest place where the camera can be.
     void freeKey(std::size_t key);
     /// Goes to the next (1) or the previous (-1) collision of the camera path.
@@ -402,6 +404,7 @@ class Editor {
     /// are an entry in EditorSettings::seen.
     static constexpr const char* kImportKept = "import kept: ";
     bool import_bar_dismissed_ = false;
+    bool import_kept_here_ = false;      // since the project was opened
     bool textures_note_ = false;         // the bar about missing textures is shown
     std::string missing_textures_note_;  // remembered once it is hidden
     std::filesystem::path noted_file_;   // the latest entry added to the recent files
@@ -490,7 +493,7 @@ class Editor {
     std::weak_ptr<const Scene> scene_of_letters_;  // see loadLettersOf()
     double current_time_s_ = 0.0;      // of the playhead; it stays when the plan changes
     std::optional<int> stored_frame_;  // stored frame of a project whose plan is awaited
-    std::optional<Eigen::Vector3d> place_before_repair_;  // of the playhead, if a plan is awaited
+    std::optional<Eigen::Vector3d> position_before_repair_;  // of the playhead
     std::optional<double> recorded_key_s_;  // time of a key that the playhead shall move to
     SharedMotion made_motion_;              // result of the last camera move
     std::string move_note_;                 // how obstacles changed that move

@@ -108,23 +108,21 @@ void Editor::addFileCommands() {
                        {},
                        "Unit of length"});
     }
-    commands_.add({"file.unit.of_file",
-                   "File",
-                   "Read the scene in the file's own unit",
-                   {},
-                   [this] {
-                       workspace_.changeImport("unit_m", nullptr,
-                                               "Read the scene in the file's own unit");
-                   },
-                   [this, needs_project]() -> std::string {
-                       if (!workspace_.isOpen()) return needs_project();
-                       return workspace_.importSettings().contains("unit_m")
-                                  ? ""
-                                  : "It is read in the file's own unit.";
-                   },
-                   {},
-                   {},
-                   "Unit of length"});
+    commands_.add(
+        {"file.unit.of_file",
+         "File",
+         "Determine the unit from the file",
+         {},
+         [this] { workspace_.changeImport("unit_m", nullptr, "Determine the unit from the file"); },
+         [this, needs_project]() -> std::string {
+             if (!workspace_.isOpen()) return needs_project();
+             return workspace_.state().import.contains("unit_m")
+                        ? ""
+                        : "It is determined from the file.";
+         },
+         {},
+         {},
+         "Unit of length"});
     commands_.add({"file.unit.other",
                    "File",
                    "Read the scene in another unit…",
@@ -135,7 +133,7 @@ void Editor::addFileCommands() {
                    {},
                    "Unit of length"});
     const auto keeps_meshes = [this] {
-        return workspace_.isOpen() && !workspace_.importSettings().value("regroup", true);
+        return workspace_.isOpen() && !workspace_.state().import.value("regroup", true);
     };
     commands_.add({"file.keep_meshes",
                    "File",
@@ -171,7 +169,7 @@ void Editor::addFileCommands() {
          [this] { workspace_.changeImport("labels", nullptr, "Use the built-in classes"); },
          [this, needs_project] {
              if (!workspace_.isOpen()) return needs_project();
-             return workspace_.importSettings().contains("labels")
+             return workspace_.state().import.contains("labels")
                         ? std::string()
                         : std::string("The project has no label file.");
          }});

@@ -107,8 +107,12 @@ void Editor::askForFile(const std::string& id) {
 
 void Editor::askForUnit() {
     const ImportReport& report = workspace_.importReport();
-    const auto unit_m = std::make_shared<double>(report.proposal.unit_m.value_or(report.unit_m));
-    const auto read = [this, unit_m] {
+    const auto text = std::make_shared<std::string>(
+        fmt::format("{:g}", report.proposal.unit_m.value_or(report.unit_m)));
+    const ui::NumberLimits limits{{1e-9, 1e6}, "%.6g", " m"};
+    const auto read = [this, text, limits] {
+        const std::optional<double> unit_m = ui::readNumber(*text, limits).value;
+        if (!unit_m) return;
         workspace_.changeImport("unit_m", *unit_m,
                                 fmt::format("Read the scene with 1 unit = {:g} m", *unit_m));
     };
@@ -117,7 +121,7 @@ void Editor::askForUnit() {
          fmt::format("The scene is read with 1 unit of the file = {:g} m.", report.unit_m),
          {{"Read", read}},
          false,
-         {unit_m, "m for 1 unit of the file"}});
+         {text, limits, "m for 1 unit of the file"}});
 }
 
 void Editor::answerFile(const ui::FileAnswer& answer) {

@@ -24,6 +24,18 @@ using ui::Selection;
 
 namespace {
 
+/// The maps of the displayed plan, which must have them.
+planning::MappedScene mapOfShown(const PlanOutcome& shown) {
+    planning::MappedScene map;
+    map.scene = shown.scene;
+    map.rays = shown.rays;
+    map.free_space = shown.free_space;
+    map.region = shown.region;
+    map.sphere = std::make_shared<const planning::SweptSphere>(
+        *shown.rays, *shown.free_space, shown.params.camera.camera_radius_m, shown.region.get());
+    return map;
+}
+
 nlohmann::json poseOperation(const char* op, const Pose& pose) {
     return {{"op", op},
             {"position", ui::pointJson(pose.position)},
@@ -183,6 +195,24 @@ void Editor::goToRecordedKey() {
     goToFrame(passedKeys()[static_cast<std::size_t>(at - keys.begin())].frame);
 }
 
+std::string Editor::collisionHere() const {
+    const PlanOutcome& shown = workspace_.shown();
+    const int frame = playback_.frame();
+    const auto& collisions = plan_timeline_.collisions();
+    const auto here = std::ranges::find_if(
+        collisions, [&](const auto& one) { return one.first <= frame && frame <= one.last; });
+    if (here == collisions.end() || plan() == nullptr || frame >= frameCount()) return {};
+    if (!shown.free_space || !shown.rays) return {};
+    const planning::MappedScene map = mapOfShown(shown);
+    const Eigen::Vector3d& position = plan()->trajectory.frames[frame].pose.position;
+    if (!planning::MotionCheck(map).isFree(position)) {
+        return fmt::format("Frame {} {}.", frame, planning::whyNotFree(map, position));
+    }
+    const std::string with =
+        here->object_id == 0 ? "" : " with " + shown.scene->object(here->object_id).name;
+    return fmt::format("The move at frame {} collides{}.", frame, with);
+}
+
 const Editor::KeyStates& Editor::keyStates() {
     const PlanOutcome& shown = workspace_.shown();
     const SharedMotion motion =
@@ -193,13 +223,7 @@ const Editor::KeyStates& Editor::keyStates() {
     }
     key_states_ = {motion, shown.free_space, shown.region, {}};
     if (!motion || !shown.free_space || !shown.rays) return key_states_;
-    planning::MappedScene scene;
-    scene.scene = shown.scene;
-    scene.rays = shown.rays;
-    scene.free_space = shown.free_space;
-    scene.region = shown.region;
-    scene.sphere = std::make_shared<const planning::SweptSphere>(
-        *shown.rays, *shown.free_space, shown.params.camera.camera_radius_m, shown.region.get());
+    const planning::MappedScene scene = mapOfShown(shown);
     const planning::MotionCheck check(scene);
     for (const MotionKey& key : motion->keys) {
         ui::KeyState& state = key_states_.keys.emplace_back();

@@ -121,9 +121,11 @@ ui::MotionView Editor::motionView() {
     const SharedMotion& motion = workspace_.state().edits.plan.motion;
     if (motion) view.motion = &*motion;
     if (workspace_.planIsCurrent()) view.plan = shown.plan.get();
-    view.plan_error = workspace_.planningStopped()     ? "planning was stopped."
-                      : workspace_.planError().empty() ? ""
-                                                       : "planning failed.";
+    if (workspace_.planningStopped()) {
+        view.why_not_checked = "Not checked: planning was stopped.";
+    } else if (!workspace_.planError().empty()) {
+        view.why_not_checked = "Not checked: planning failed.";
+    }
     view.has_scene = shown.scene != nullptr;
     view.move.why_not = view.has_scene ? "" : "No scene is open.";
     if (view.has_scene && selected_.objects().size() == 1) {
@@ -150,16 +152,7 @@ ui::MotionView Editor::motionView() {
         view.world = static_cast<int>(std::ranges::find(worlds, file->world) - worlds.begin());
         view.format = file->format;
     }
-    const int frame = playback_.frame();
-    const auto& collisions = plan_timeline_.collisions();
-    const auto here = std::ranges::find_if(
-        collisions, [&](const auto& one) { return one.first <= frame && frame <= one.last; });
-    if (here != collisions.end() && view.has_scene) {
-        view.collision_here = here->object_id == 0
-                                  ? fmt::format("Frame {} collides.", frame)
-                                  : fmt::format("Frame {} collides with {}.", frame,
-                                                shown.scene->object(here->object_id).name);
-    }
+    view.collision_here = collisionHere();
     const BackgroundWorker::State job = motions_.state();
     view.busy = job.busy;
     view.fraction = job.fraction;
@@ -363,7 +356,7 @@ void Editor::takeMotion() {
     }
     if (!repaired) return;
     if (plan() != nullptr && playback_.frame() < frameCount()) {
-        place_before_repair_ = plan()->trajectory.frames[playback_.frame()].pose.position;
+        position_before_repair_ = plan()->trajectory.frames[playback_.frame()].pose.position;
     }
     repaired_motion_ = motion;
     before_repair_ = std::move(before);

@@ -83,7 +83,7 @@ void Editor::drawObjects() {
     if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
     const ui::ObjectsActions actions = ui::drawObjectsPanel(view, panels_.objects);
     if (!actions.range.empty()) {
-        select(selected_.withObjects(actions.range, true));
+        select(selected_.withObjects(actions.range, actions.add_to_selection));
     } else if (actions.clicked != 0) {
         selectObject(actions.clicked, actions.add_to_selection);
     }

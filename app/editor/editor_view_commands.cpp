@@ -358,8 +358,8 @@ void Editor::toggleClipBox() {
 
 void Editor::leaveCameraView() {
     if (!std::exchange(through_camera_, false)) return;
-    // Who drags or flies continues from the pose of the plan's camera; a key or a menu brings back
-    // the view before.
+    // A drag continues from the pose of the plan's camera; a key or a menu restores the view
+    // before.
     const bool drags = panels_.viewport.drag != ui::ViewportState::Drag::None;
     if (!drags || plan() == nullptr || playback_.frame() >= frameCount()) return;
     const Pose& pose = plan()->trajectory.frames[playback_.frame()].pose;

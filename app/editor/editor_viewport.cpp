@@ -363,13 +363,13 @@ void Editor::drawLegend() {
 
 void Editor::drawImportBar() {
     if (!workspace_.isOpen() || workspace_.loading().busy || import_bar_dismissed_) return;
-    if (workspace_.importBefore()) {
+    if (workspace_.previousImport()) {
         const int pressed = ui::drawNoteBar(
             "import_changed",
             "The scene was read again with " + importText(workspace_.importReport()) + ".",
             {{"Undo", "Read it as before"}, {"Keep", "Hide this message"}},
             ui::NoteBarKind::Confirmation);
-        if (pressed == 0) workspace_.takeBackImport();
+        if (pressed == 0) workspace_.revertImport();
         if (pressed == 1) import_bar_dismissed_ = true;
         return;
     }
@@ -392,6 +392,7 @@ void Editor::drawImportBar() {
     if (pressed < 0) return;
     if (pressed == 0 && proposal.hasSettings()) return workspace_.applyProposal();
     import_bar_dismissed_ = true;
+    import_kept_here_ = true;
     settings_.addSeen(kImportKept + workspace_.sceneFile().string());
     workspace_.keepImport("Keep " + importText(workspace_.importReport()));
 }
@@ -457,7 +458,7 @@ void Editor::drawCentre() {
     ui::ViewportView view;
     view.image = scene_sync_.isSent() ? &drawing_.view() : nullptr;
     if (loading.busy) {
-        view.message = fmt::format("Opening … {:.0f} %  {}   (Esc stops)", 100.0 * loading.fraction,
+        view.message = fmt::format("Reading … {:.0f} %  {}   (Esc stops)", 100.0 * loading.fraction,
                                    loading.stage);
     } else if (view.image == nullptr || view.image->serial == 0 ||
                !workspace_.shown().hasObjectsOf(view.image->geometry)) {

@@ -245,8 +245,12 @@ void Questions::drawConfirmation() {
     for (const Confirmation::Answer& answer : confirmation_->answers)
         box.buttons.push_back(answer.label);
     if (!confirmation_->enter_cancels) box.buttons.emplace_back("Cancel");
-    box.number = confirmation_->number.value.get();
-    box.number_label = confirmation_->number.label;
+    if (const auto& number = confirmation_->number; number.text) {
+        box.field = [&number] {
+            return ui::typedNumberField(*number.text, number.limits, "message.number",
+                                        number.label);
+        };
+    }
     const int first = confirmation_->enter_cancels ? 1 : 0;
     const int last = first + static_cast<int>(confirmation_->answers.size());
     box.escape = confirmation_->enter_cancels ? 0 : last;

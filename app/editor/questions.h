@@ -3,12 +3,14 @@
 #include "app/editor/export/export_queue.h"
 #include "app/editor/project/autosave.h"
 #include "app/editor/project/workspace.h"
+#include "ui/widgets/fields/number_input.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,8 +55,9 @@ class Questions {
         std::vector<Answer> answers;  // in addition to Cancel
         bool enter_cancels = true;    // false: Enter takes the first answer (harmless)
         struct Number {
-            std::shared_ptr<double> value;  // edited in a field; null: there is no field
-            std::string label;
+            std::shared_ptr<std::string> text;  // of a number field; null: there is none
+            ui::NumberLimits limits;
+            std::string label;  // beside the field
         } number = {};
     };
     void ask(Confirmation confirmation) { confirmation_ = std::move(confirmation); }

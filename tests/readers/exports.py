@@ -67,11 +67,12 @@ def walk():
 
 @functools.cache
 def film():
-    """Frames about 2 cm apart, as in a video, around the frame of the walk that shows most
-    objects."""
+    """Frames about 2 cm apart, as in a video, around the frame of the walk in which objects take
+    most pixels."""
+    shown = collections.Counter()
     with open(walk().folder / "instances.csv", newline="") as table:
-        shown = collections.Counter(row["frame"] for row in csv.DictReader(table)
-                                    if float(row["visible_fraction"]) > 0)
+        for row in csv.DictReader(table):
+            shown[row["frame"]] += int(row["visible_px"])
     fullest = walk().frames[int(max(shown, key=shown.get))]["trajectory_frame"]
     return Dataset("film", "--range", f"{max(0, fullest - 10)}:{fullest + 10}")
 

@@ -48,7 +48,7 @@ void drawText(const MessageBox& box) {
     if (scrolls) ImGui::EndChild();
 }
 
-int drawButtons(const MessageBox& box) {
+int drawButtons(const MessageBox& box, bool is_valid) {
     int pressed = -1;
     const ImGuiStyle& style = ImGui::GetStyle();
     float width = 0.0F;
@@ -64,7 +64,12 @@ int drawButtons(const MessageBox& box) {
         const float wide =
             std::max(scaled(80), ImGui::CalcTextSize(label.c_str()).x + 2 * style.FramePadding.x);
         if (i > 0) ImGui::SameLine();
-        if (button(label.c_str(), itemName(label), {.width = wide, .primary = i == 0})) pressed = i;
+        if (button(label.c_str(), itemName(label),
+                   {.why_not = i == 0 && !is_valid ? "The field above is not valid." : "",
+                    .width = wide,
+                    .primary = i == 0})) {
+            pressed = i;
+        }
     }
     return pressed;
 }
@@ -72,21 +77,14 @@ int drawButtons(const MessageBox& box) {
 int drawContent(const MessageBox& box) {
     drawTitle(box);
     drawText(box);
-    if (box.number != nullptr) {
-        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-        ImGui::SetNextItemWidth(scaled(120));
-        ImGui::InputDouble("##number", box.number, 0.0, 0.0, "%.6g");
-        nameItem("message.number");
-        ImGui::SameLine();
-        ImGui::TextUnformatted(box.number_label.c_str());
-    }
+    const bool is_valid = !box.field || box.field();
     ImGui::Dummy({0, scaled(6)});
-    int pressed = drawButtons(box);
+    int pressed = drawButtons(box, is_valid);
     const int last = static_cast<int>(box.buttons.size()) - 1;
     // Ignores keys in the first frame: the key that caused the message must not answer it.
     if (!ImGui::IsWindowAppearing()) {
-        if (ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) ||
-            ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false)) {
+        if (is_valid && (ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) ||
+                         ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false))) {
             pressed = 0;
         }
         if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {

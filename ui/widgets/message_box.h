@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@ struct MessageBox {
     std::string text;                           // may have several lines
     std::vector<std::string> buttons = {"OK"};  // the first is pressed by Enter
     int escape = -1;                            // button that Escape presses; -1: the last
-    double* number = nullptr;                   // edited in a field; null: there is no field
-    std::string number_label = {};              // beside the field
+    // Draws a field above the buttons, and returns whether the first button can be pressed.
+    std::function<bool()> field = {};
 };
 
 /// Draws the message in the middle of the window; to be called every frame until it is answered.

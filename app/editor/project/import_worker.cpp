@@ -10,31 +10,31 @@ namespace dollytrack::editor {
 
 void ImportWorker::start(ProjectFile content, const std::filesystem::path& project) {
     awaited_ = content.import;
-    worker_.start([question = ++question_, content = std::move(content), project,
-                   latest = answers_](const JobContext& job) {
+    worker_.start([request = ++request_, content = std::move(content), project,
+                   latest = results_](const JobContext& job) {
         try {
             latest->put(
-                {question, contentOf(content, project).and_then([&](const ProjectContent& read) {
+                {request, contentOf(content, project).and_then([&](const ProjectContent& read) {
                      return importSceneOf(read, job);
                  })});
         } catch (const std::exception& error) {
             latest->put(
-                {question, fail(ErrorCode::Failed, std::string("The scene cannot be read again: ") +
-                                                       error.what() + ".")});
+                {request, fail(ErrorCode::Failed, std::string("The scene cannot be read again: ") +
+                                                      error.what() + ".")});
         }
     });
 }
 
 void ImportWorker::cancel() {
-    ++question_;
+    ++request_;
     awaited_ = nullptr;
     worker_.cancel();
 }
 
 std::optional<ImportWorker::Outcome> ImportWorker::take() {
-    std::optional<Answer> answer = answers_->take();
-    if (!answer || answer->question != question_) return std::nullopt;
-    return Outcome{std::exchange(awaited_, nullptr), std::move(answer->scene)};
+    std::optional<Numbered> result = results_->take();
+    if (!result || result->request != request_) return std::nullopt;
+    return Outcome{std::exchange(awaited_, nullptr), std::move(result->scene)};
 }
 
 }  // namespace dollytrack::editor

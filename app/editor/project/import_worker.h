@@ -38,14 +38,14 @@ class ImportWorker {
     [[nodiscard]] std::optional<Outcome> take();
 
   private:
-    struct Answer {
-        std::uint64_t question = 0;
+    struct Numbered {
+        std::uint64_t request = 0;
         Result<std::shared_ptr<const Scene>> scene;
     };
 
-    std::uint64_t question_ = 0;
+    std::uint64_t request_ = 0;
     nlohmann::json awaited_;
-    std::shared_ptr<LatestValue<Answer>> answers_ = std::make_shared<LatestValue<Answer>>();
+    std::shared_ptr<LatestValue<Numbered>> results_ = std::make_shared<LatestValue<Numbered>>();
     BackgroundWorker worker_;
 };
 

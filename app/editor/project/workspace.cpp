@@ -70,9 +70,9 @@ void Workspace::load(const std::filesystem::path& path,
 }
 
 void Workspace::cancelOpening() {
-    loader_.cancel();
+    if (loader_.state().busy) return loader_.cancel();
     importer_.cancel();
-    leaveImport();
+    abandonImport();
 }
 
 void Workspace::startLoading(LoadOutcome outcome, std::function<Result<ProjectContent>()> read) {
@@ -178,7 +178,7 @@ void Workspace::finishOpening(LoadOutcome outcome) {
     }
     const Error& error = outcome.opened.error();
     if (error.code == ErrorCode::Cancelled) return;
-    Notice notice{true, "Cannot open " + name, describe(error)};
+    Notice notice{true, "Cannot open " + name, withMenuNames(describe(error))};
     if (!outcome.missing_scene.empty()) {
         notice.text = "Its scene " + outcome.missing_scene.string() +
                       " no longer exists. Locate it, or put it back and open the project again.";
@@ -210,6 +210,11 @@ void Workspace::setView(const nlohmann::json& view) {
 
 void Workspace::save(const std::filesystem::path& path, OnConflict on_conflict) {
     if (!isOpen()) return;
+    if (isImporting()) {
+        notices_.push_back({false, "The project was not saved",
+                            "The scene is being read again. Save when it is shown."});
+        return;
+    }
     const bool planned = planIsCurrent() && shown_.plan;
     const bool asks = on_conflict == OnConflict::Ask;
     // Another camera or frame alone is no reason to write a file.
@@ -279,13 +284,13 @@ void Workspace::finishSaving(SaveOutcome outcome) {
 
 Status Workspace::checkEditable() const {
     if (!isOpen()) return fail(ErrorCode::Failed, "No scene is open.");
-    if (stack_before_import_) {
+    if (isImporting()) {
         return fail(ErrorCode::Failed, "The scene is being read again; try again in a moment.");
     }
     if (!shown_.scene && shown_.error) {
         return fail(shown_.error->code,
                     "There is no scene to edit, because the last change failed; undo it. " +
-                        shown_.error->message,
+                        withMenuNames(shown_.error->message),
                     shown_.error->where);
     }
     if (!shown_.scene) {
@@ -324,6 +329,7 @@ Status Workspace::applyAll(const nlohmann::json& operations, const std::string& 
 
 void Workspace::setParameters(const nlohmann::json& parameters, const std::string& name,
                               const std::string& merge_key) {
+    if (isImporting()) return;  // a failed import would take them back
     ProjectState next = state();
     next.parameters = parameters;
     const CommandStack::State before = stack_.state();
@@ -359,11 +365,12 @@ void Workspace::goTo(std::size_t step) {
 void Workspace::rewind(CommandStack::History earlier) {
     CommandStack stack = stack_;
     stack.rewind(std::move(earlier));
-    replaceHistory(std::move(stack));
+    // A drag changes no import settings: those of a failed import must not come back.
+    if (isOpen() && stack.state()->import == state().import) replaceHistory(std::move(stack));
 }
 
 void Workspace::replan() {
-    if (stack_before_import_) return;  // finishImport() plans
+    if (isImporting()) return;  // finishImport() plans
     changed_at_ = Clock::now();
     lighter_.setWaiting(true);
     planner_.start({opened_->imported, stack_.state(), ++serial_});

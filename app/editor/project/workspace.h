@@ -45,9 +45,9 @@ class Workspace {
     void changeImport(const char* setting, nlohmann::json value, const std::string& name);
     /// Likewise with the import report's proposed settings.
     void applyProposal();
-    /// Returns to the settings of importBefore(): by undo if the last step changed them, else by
+    /// Returns to the settings of previousImport(): by undo if the last step changed them, else by
     /// another step.
-    void takeBackImport();
+    void revertImport();
     /// Confirms the import settings in use against the proposal: they become part of the project.
     /// One undo step with this name.
     void keepImport(const std::string& name);
@@ -76,7 +76,8 @@ class Workspace {
     Status apply(const nlohmann::json& operation, const std::string& merge_key = {});
     /// Applies several operations, all or none, as one undo step with this name.
     Status applyAll(const nlohmann::json& operations, const std::string& name);
-    /// Sets the parameters, given as JSON sections of fields; `name` is the step's name.
+    /// Sets the parameters, given as JSON sections of fields; `name` is the step's name. Does
+    /// nothing while the scene is imported again.
     void setParameters(const nlohmann::json& parameters, const std::string& name,
                        const std::string& merge_key);
     /// Replaces parameters and edits, as one undo step with this name; the import settings stay.
@@ -103,7 +104,7 @@ class Workspace {
     }
     /// The import settings before the last step up to the current one that changed them; unset if
     /// none did.
-    [[nodiscard]] std::optional<nlohmann::json> importBefore() const;
+    [[nodiscard]] std::optional<nlohmann::json> previousImport() const;
     [[nodiscard]] const nlohmann::json& importSettings() const { return opened_->import; }
     [[nodiscard]] const ImportReport& importReport() const { return opened_->imported->report; }
     /// The open scene as imported, without edits.
@@ -119,9 +120,11 @@ class Workspace {
     }
     /// The light of the displayed scene, baked in the background.
     [[nodiscard]] const LightWorker& lighter() const { return lighter_; }
+    /// Whether the scene is being imported with the settings of the current step.
+    [[nodiscard]] bool isImporting() const { return stack_before_import_.has_value(); }
     void stopLight() { lighter_.stop(); }
     void startLight() { lighter_.start(); }
-    /// Of opening a project, or of importing its scene again.
+    /// Progress of opening a project, or of importing its scene again.
     [[nodiscard]] BackgroundWorker::State loading() const {
         const BackgroundWorker::State opening = loader_.state();
         return opening.busy ? opening : importer_.state();
@@ -203,7 +206,7 @@ class Workspace {
     void replan();
     void replaceHistory(CommandStack stack);
     void setImport(nlohmann::json import, const std::string& name);
-    void leaveImport();
+    void abandonImport();
     void finishImport(ImportWorker::Outcome outcome);
     void showNothing();
     void logImport() const;

@@ -8,8 +8,8 @@
 
 namespace dollytrack::editor {
 
-/// Makes this the undo history. If its current state has other import settings than the open scene,
-/// that is imported again before the state is planned.
+/// Makes this the undo history. If its current state has other import settings, the scene is
+/// imported again first.
 void Workspace::replaceHistory(CommandStack stack) {
     if (!isOpen()) return;
     std::swap(stack_, stack);
@@ -18,14 +18,14 @@ void Workspace::replaceHistory(CommandStack stack) {
         if (std::exchange(stack_before_import_, std::nullopt)) importer_.cancel();
         return replan();
     }
-    if (!stack_before_import_) stack_before_import_ = std::move(stack);
+    if (!isImporting()) stack_before_import_ = std::move(stack);
     if (importer_.awaited() != state().import) importer_.start(snapshot(false), path());
 }
 
 void Workspace::setImport(nlohmann::json import, const std::string& name) {
     if (import == state().import) {
         // The same settings again: a label file or a model may have changed.
-        if (!stack_before_import_) importer_.start(snapshot(false), path());
+        if (!isImporting()) importer_.start(snapshot(false), path());
         return;
     }
     ProjectState next = state();
@@ -58,12 +58,12 @@ void Workspace::keepImport(const std::string& name) {
     const std::optional<UpAxis> up = parseUpAxis(report.up_axis);
     if (!report.proposal.up_doubt.empty() && up) next.import["up_axis"] = up->text();
     keeps_import_ = true;
-    opened_->import = next.import;  // which gives the open scene
+    opened_->import = next.import;  // the scene was imported with these values
     stack_.push(name, std::move(next));
     replan();
 }
 
-std::optional<nlohmann::json> Workspace::importBefore() const {
+std::optional<nlohmann::json> Workspace::previousImport() const {
     const CommandStack::History& history = stack_.history();
     for (std::size_t i = history.position; i > 0; --i) {
         const nlohmann::json& before = history.steps[i - 1].state->import;
@@ -72,8 +72,8 @@ std::optional<nlohmann::json> Workspace::importBefore() const {
     return std::nullopt;
 }
 
-void Workspace::takeBackImport() {
-    const std::optional<nlohmann::json> before = importBefore();
+void Workspace::revertImport() {
+    const std::optional<nlohmann::json> before = previousImport();
     if (!before) return;
     const CommandStack::History& history = stack_.history();
     if (history.steps[history.position - 1].state->import == *before) return undo();
@@ -81,11 +81,13 @@ void Workspace::takeBackImport() {
 }
 
 /// Returns to the step before the import that was cancelled or has failed.
-void Workspace::leaveImport() {
+void Workspace::abandonImport() {
     const std::optional<CommandStack> before = std::exchange(stack_before_import_, std::nullopt);
     if (!before) return;
+    const bool was_asked = state_when_asked_ == stack_.state();
     stack_.rewind(before->history());
-    replan();
+    if (was_asked) state_when_asked_ = stack_.state();
+    if (!planIsCurrent() && !planningStopped()) replan();
 }
 
 void Workspace::finishImport(ImportWorker::Outcome outcome) {
@@ -93,9 +95,10 @@ void Workspace::finishImport(ImportWorker::Outcome outcome) {
         const Error& error = outcome.scene.error();
         if (error.code != ErrorCode::Cancelled) {
             log::error("import", describe(error));
-            notices_.push_back({true, "The scene was not read again", describe(error)});
+            notices_.push_back(
+                {true, "The scene was not read again", withMenuNames(describe(error))});
         }
-        return leaveImport();
+        return abandonImport();
     }
     stack_before_import_.reset();
     opened_->imported = std::move(*outcome.scene);

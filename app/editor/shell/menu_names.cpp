@@ -11,7 +11,7 @@ std::string withMenuNames(std::string message) {
         {"leave out --keep-meshes", "uncheck File > Keep the file's meshes as objects"},
         {"leave --keep-meshes out", "uncheck File > Keep the file's meshes as objects"},
         {"pass --models ~/.gz/fuel", "add ~/.gz/fuel with File > Add a folder of models"},
-        {"try --unit", "try File > Unit of length > Read the scene in another unit:"},
+        {"try --unit", "try File > Unit of length > Read the scene in another unit, m:"},
         {"try --up", "choose File > Upward axis:"},
         {"pass --up if", "choose another File > Upward axis if"},
         {"pass --up", "choose File > Upward axis:"},

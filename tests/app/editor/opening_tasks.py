@@ -205,11 +205,14 @@ class Opening(Task):
         self.editor.run_command("read the scene in another unit")
         self.editor.item("message.number")
         self.editor.key("ctrl+a")
-        self.editor.type("4.2")
+        self.editor.type("nothing")
+        self.assertFalse(self.editor.key("enter")["items"]["message.read"][4], "disabled")
+        self.editor.key("ctrl+a")
+        self.editor.type("4,2")
         self.editor.key("enter")
         self.editor.wait(lambda state: state["import"].get("unit_m") == 4.2, "the unit")
         self.assertEqual(self.editor.idle()["plan"]["captured"], 5)
-        self.editor.run_command("read the scene in the file's own unit")
+        self.editor.run_command("determine the unit from the file")
         self.editor.wait(lambda state: "unit_m" not in state["import"], "the file's unit")
 
     def test_labels_that_cannot_be_read_change_nothing(self):

@@ -22,7 +22,7 @@ namespace dollytrack::ui {
 namespace {
 
 constexpr std::array kWorlds = {"", "scene", "y-up", "z-up", "ned", "camera"};
-/// The format's own, then in the order of FileWorld.
+/// Labels of kWorlds: the format's default, then the values of FileWorld in order.
 constexpr std::array kWorldNames = {
     "Usual for the format",       "Axes and unit of the scene file", "m, y up", "m, z up",
     "m, north, east, down (NED)", "m, right, down, forward"};
@@ -118,10 +118,10 @@ void drawState(const MotionView& view, MotionActions& actions) {
                         has_keys ? "keys" : "frames", motion.duration_s()),
             Cut::Middle);
     if (view.plan == nullptr) {
-        if (view.plan_error.empty()) {
+        if (view.why_not_checked.empty()) {
             ImGui::TextColored(palette().text_dim, "being checked \u2026");
         } else {
-            paragraph("Not checked: " + view.plan_error, palette().bad);
+            paragraph(view.why_not_checked, palette().bad);
         }
         return;
     }

@@ -23,7 +23,7 @@ struct KeyState {
 struct MotionView {
     const GivenMotion* motion = nullptr;  // null: the camera path is planned
     const Plan* plan = nullptr;           // made with it; null: none yet
-    std::string plan_error;               // why there will be none; empty if planning goes on
+    std::string why_not_checked;          // a sentence; empty: `plan` is there or will be
     bool has_scene = false;               // whether paths can be read and made
     int selected_key = -1;                // index of the selected key; -1: none
     std::vector<KeyState> key_states;     // of the keys; empty: not known yet

@@ -183,14 +183,17 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
     ImGui::PopID();
 }
 
-/// The ids of the rows from one object to another; only the second if the first has no row.
+/// The ids of the rows from one object to another, in this order; only the second if the first has
+/// no row.
 std::vector<int> rowsBetween(const std::vector<const Object*>& rows, int from, int to) {
-    auto begin = std::ranges::find(rows, from, &Object::id);
-    auto end = std::ranges::find(rows, to, &Object::id);
-    if (begin == rows.end() || end == rows.end()) return {to};
-    if (end < begin) std::swap(begin, end);
+    const auto first = std::ranges::find(rows, from, &Object::id);
+    const auto last = std::ranges::find(rows, to, &Object::id);
+    if (first == rows.end() || last == rows.end()) return {to};
     std::vector<int> ids;
-    for (auto row = begin; row <= end; ++row) ids.push_back((*row)->id);
+    for (auto row = std::min(first, last); row <= std::max(first, last); ++row) {
+        ids.push_back((*row)->id);
+    }
+    if (last < first) std::ranges::reverse(ids);
     return ids;
 }
 
@@ -244,10 +247,10 @@ ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& stat
         }
     }
     ImGui::EndTable();
-    if (actions.clicked != 0 && state.pressed_with_shift && view.selected != nullptr) {
-        actions.range =
-            rowsBetween(rows, view.selected->empty() ? actions.clicked : view.selected->back(),
-                        actions.clicked);
+    if (actions.clicked != 0 && state.pressed_with_shift) {
+        actions.range = rowsBetween(rows, state.anchor, actions.clicked);
+    } else if (actions.clicked != 0) {
+        state.anchor = actions.clicked;
     }
     return actions;
 }

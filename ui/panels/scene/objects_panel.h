@@ -23,6 +23,7 @@ struct ObjectsPanelState {
     std::string filter;
     int shown = 1;              // index of the shown group: all, targets, not captured, …
     int scroll_to = 0;          // id of the row to scroll to; 0: none
+    int anchor = 0;             // object clicked last without Shift, from which ranges begin
     float name_width = 200.0F;  // of the column of names, px
     struct ShownNames {
         std::vector<std::string> whole;
@@ -38,7 +39,7 @@ struct ObjectsPanelState {
 struct ObjectsActions {
     int clicked = 0;
     bool add_to_selection = false;  // with Ctrl
-    std::vector<int> range;         // with Shift: the rows from the last selected to the clicked
+    std::vector<int> range;         // with Shift: ids from the anchor to the clicked row
     int frame = 0;                  // double click: frame the object in the viewport
     int right_clicked = 0;
     int toggle_hidden = 0;

@@ -234,12 +234,7 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
         ImGui::TextColored(palette().bad, "\u25cb not captured");
     }
     const auto row = std::ranges::find(view.plan->ledger, object.id, &LedgerRow::object_id);
-    // The remedy search tests more candidates, so its ledger row replaces the plan's.
-    const bool searched = view.remedy.state == RemedySearch::State::Found ||
-                          view.remedy.state == RemedySearch::State::Nothing;
-    const LedgerRow* known = row == view.plan->ledger.end() ? nullptr
-                             : searched                     ? &view.remedy.row
-                                                            : &*row;
+    const LedgerRow* known = row == view.plan->ledger.end() ? nullptr : &*row;
     if (known != nullptr && known->loss) {
         paragraph(known->reason);
         actions.remedy = drawRemedy(view.remedy);

@@ -194,7 +194,7 @@ const planning::CollidingFrames* collisionAt(const TimelineView& view, int frame
 }
 
 std::string collisionText(const TimelineView& view, const planning::CollidingFrames& collision) {
-    if (collision.object_id == 0 || !view.object_name) return "Collides";
+    if (collision.object_id == 0 || !view.object_name) return "Collides, or is outside the rooms";
     return "Collides with " + view.object_name(collision.object_id);
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "ui/theme.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 #include "ui/widgets/keyboard_wait.h"
 
@@ -217,6 +218,21 @@ TypedNumber readNumber(const std::string& text, const NumberLimits& limits) {
         read.note = fmt::format("whole numbers only; set to {:.0f}{}", *read.value, limits.unit);
     }
     return read;
+}
+
+bool typedNumberField(std::string& text, const NumberLimits& limits, const std::string& name,
+                      const std::string& label) {
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(scaled(120));
+    ImGui::InputText(("##" + name).c_str(), &text);
+    nameItem(name);
+    const TypedNumber typed = readNumber(text, limits);
+    // Enter leaves the field; what is no number can be corrected at once.
+    if (ImGui::IsItemDeactivated() && !typed.value) ImGui::SetKeyboardFocusHere(-1);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(label.c_str());
+    if (!typed.note.empty()) paragraph(typed.note, palette().warning);
+    return typed.value.has_value();
 }
 
 FieldEdit numberInput(double& value, const NumberLimits& limits, const std::string& name) {

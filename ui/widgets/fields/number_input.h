@@ -33,6 +33,11 @@ struct NumberLimits {
 /// `name`.note) says so.
 FieldEdit numberInput(double& value, const NumberLimits& limits, const std::string& name);
 
+/// A text field with a label for a number that is only typed, and its note below. Has the keyboard
+/// when its window appears. Returns whether the text is a number.
+bool typedNumberField(std::string& text, const NumberLimits& limits, const std::string& name,
+                      const std::string& label);
+
 /// The value of a typed text, if valid, and a note for the user, if needed.
 struct TypedNumber {
     std::optional<double> value;
