@@ -48,7 +48,8 @@ std::string changeText(const planning::MotionChange& change) {
                             change.given_length_m);
     }
     if (change.time_added_s > 0.0) {
-        text += fmt::format("; {:.1f} s longer, to meet the motion limits", change.time_added_s);
+        text += fmt::format("; {:.1f} s longer, to meet the limits of speed and turning",
+                            change.time_added_s);
     }
     if (change.paths_cut > 0) {
         text += fmt::format("; cut at {} place{} where no collision-free path exists",
