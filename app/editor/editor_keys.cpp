@@ -203,14 +203,15 @@ std::string Editor::collisionHere() const {
         collisions, [&](const auto& one) { return one.first <= frame && frame <= one.last; });
     if (here == collisions.end() || plan() == nullptr || frame >= frameCount()) return {};
     if (!shown.free_space || !shown.rays) return {};
+    if (here->object_id != 0) {
+        return fmt::format("Frame {} collides with {}.", frame,
+                           shown.scene->object(here->object_id).name);
+    }
     const planning::MappedScene map = mapOfShown(shown);
     const Eigen::Vector3d& position = plan()->trajectory.frames[frame].pose.position;
-    if (!planning::MotionCheck(map).isFree(position)) {
-        return fmt::format("Frame {} {}.", frame, planning::whyNotFree(map, position));
-    }
-    const std::string with =
-        here->object_id == 0 ? "" : " with " + shown.scene->object(here->object_id).name;
-    return fmt::format("The move at frame {} collides{}.", frame, with);
+    return planning::MotionCheck(map).isFree(position)
+               ? fmt::format("The move at frame {} collides.", frame)
+               : fmt::format("Frame {} {}.", frame, planning::whyNotFree(map, position));
 }
 
 const Editor::KeyStates& Editor::keyStates() {
